@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from typing import Any
 
+from .language.calculus import BINDERS
 from .language.matrices import inverse, transpose
 from .language.operator_table import conjugate
 from .language.printed import Apply, Number, Symbol, Term, symbols
@@ -54,6 +55,8 @@ def _places(
     """Yield each part of a term, the function that puts another part in its place, and its depth below a relation."""
     yield node, rebuilt, depth
     for i, argument in enumerate(node.arguments):
+        if BINDERS.get(node.operator.name) == i or (isinstance(argument, Symbol) and argument.quantity.name == "function"):
+            continue  # a bound letter, or the name of a definition
 
         def replaced(new: Term, i: int = i) -> Term:
             return rebuilt(Apply(node.operator.name, *node.arguments[:i], new, *node.arguments[i + 1 :]))
@@ -82,7 +85,7 @@ def _steps(node: Term, named: Name, depth: int) -> Iterator[Change]:
                 continue
             yield 1, "factor", f"{value} for {n}", Number(value)
     elif name not in RELATIONS:
-        rank = 1 if depth == 0 or isinstance(node, Symbol) or name in ("call", "at") else 2
+        rank = 1 if depth == 0 or isinstance(node, Symbol) or name.startswith("call") else 2
         for later, sort, words, form in _WRAPPED:
             yield rank + later, sort, f"{words} {shown}", form(node)
 

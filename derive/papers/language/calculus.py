@@ -172,11 +172,13 @@ def _integral(env: Env, body: Term, letter: Term, low: Term, high: Term) -> Any:
     for pieces in PIECES:
         half = (b - a) / Fraction(2 * pieces)
         parts: list[Any] = []
+        error: Any = 0
         for i in range(pieces):
             found = _expanded(env, body, letter, a + half * (2 * i + 1), 1, 2 * TERMS)
             terms = [found[k] * (2 * half ** (k + 1) / Fraction(k + 1)) for k in range(0, 2 * TERMS, 2)]
-            parts = [reduce(values.add, pair) for pair in zip(parts or [0 * t for t in terms], terms, strict=True)]
-        result = _widened(reduce(values.add, parts), parts[-1] * REMAINDER)
+            parts.append(reduce(values.add, terms))
+            error = sum((abs(c) for term in terms[-2:] for c in values.coefficients(term)), error)
+        result = _widened(reduce(values.add, parts), error * REMAINDER)
         if all(is_sharp(c) for c in values.coefficients(result)):
             break
     return result
@@ -185,11 +187,8 @@ def _integral(env: Env, body: Term, letter: Term, low: Term, high: Term) -> Any:
 def _widened(value: Any, error: Any) -> Any:
     """Return a value whose balls include an error of this size."""
     if isinstance(value, Structure):
-        errors = iter(tuple(error))
-        return value.map(lambda c: _widened(c, next(errors)))
-    if isinstance(value, Dual):
-        return Dual(_widened(value.re, error.re), _widened(value.du, error.du))
-    return widened(value, error)
+        return value.map(lambda c: _widened(c, error))
+    return Dual(_widened(value.re, error), _widened(value.du, error)) if isinstance(value, Dual) else widened(value, error)
 
 
 jacobian = _binding("jacobian", r"\frac{{\partial}}{{\partial {1}}} {0}", "jacobian({0}, {1})", (PRODUCT, ATOM, LIST),

@@ -42,6 +42,10 @@ def stacked(*parts: Term) -> Apply:
     return literal("block", [[part] for part in parts])
 
 
+vector = define("vector", r"\begin{{bmatrix}} {0} \\ {1} \\ {2} \end{{bmatrix}}", "vector({0}, {1}, {2})", ATOM, (LIST,),
+                lambda env, *components: Vector(*map(matrix.exactly, components)))
+
+
 def _entry(env: Env, a: Any, i: Any, j: Any = 1) -> Any:
     rows = matrix.rows_of(a if not isinstance(a, Quaternion) else matrix.shaped([[c] for c in a]))
     if not (isinstance(i, int) and isinstance(j, int) and 1 <= i <= len(rows) and 1 <= j <= len(rows[0])):
@@ -154,7 +158,7 @@ def _shifts(env: Env, w: Vector) -> tuple[Any, Any]:
     """Return ``(1 − cos α)/α²`` and ``(α − sin α)/α³`` for α = |w|, or their values at 0."""
     square = w.dot(w)
     if env.field.vanishes(innermost(square)):
-        return Fraction(1, 2) + 0 * square, Fraction(1, 6) + 0 * square
+        return Fraction(1, 2) - square / Fraction(24), Fraction(1, 6) - square / Fraction(120)
     angle = env.field.sqrt(square)
     return (1 - env.field.cos(angle)) / square, (angle - env.field.sin(angle)) / (angle * square)
 

@@ -191,7 +191,7 @@ OPERATIONS: dict[str, Operation] = {
     "cosh": _function(relations.cosh, "hyperbolic cosine", "cosh(x)"),
     "tanh": _function(relations.tanh, "hyperbolic tangent", "tanh(x)"),
     "sinc": _function(relations.sinc, "sin x/x, and 1 at 0", "sinc(x)"),
-    "vector": Operation(("number", "number", "number"), VECTOR, matrices.stacked, "vector of three components",
+    "vector": Operation(("number", "number", "number"), VECTOR, matrices.vector, "vector of three components",
                         "vector(a, b, c)"),
     "stack": Operation(("number or matrix", "number or matrix"), _stacked, matrices.stacked,
                        "parts one below the other", "stack(w, v)", many=True),

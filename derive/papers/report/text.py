@@ -45,7 +45,7 @@ def _grids(report: Report) -> Iterator[Grid]:
 
 def _claims(chapter: Chapter) -> Iterator[Grid]:
     """Yield the table of a file's claims, then each claim that does not hold, in full."""
-    columns = [Column("equation", width=14), Column("status", width=10), Column("claim", ratio=3), Column("", ratio=3)]
+    columns = [Column("equation", width=14), Column("status", width=10), Column("claim", ratio=3), Column("finding", ratio=3)]
     rows = [
         (label(r), str(r.status), shown(r), _lines(*domain(r), *details(r)[:1], r.method)) for r in chapter.results
     ]
