@@ -15,7 +15,9 @@ from ...algebra import Dual, Quaternion, Tensor, Vector
 from ...algebra.matrix import shaped
 from .balls import Balls, precision
 from .draw import Draw
-from .quantities import QUANTITIES, Quantity, Role
+from .quantities import QUANTITIES as QUANTITIES
+from .quantities import Quantity as Quantity
+from .quantities import Role
 
 Numbers = Sequence[Any]
 SPECIAL_BITS = 4096
