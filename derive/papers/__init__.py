@@ -9,7 +9,13 @@ condurache_popa_2023   entries of CP23, one module for each section
 karakilic_2010         entries of K10
 sharp                  sharpness of a condition, tested by the denominators
 explore                truth of a statement at seeded points, special points and poles
-decide                 status of an entry
+claim                  a claim with its letters, evaluated over balls at points given by coordinates
+constrained            points moved onto the equations of a stated domain
+probe                  points at which a claim may fail
+conditions             conditions of a claim, found from the points where it fails
+changes                claims that differ from a claim in one step
+judge                  decision of a claim whose condition is found
+decide                 status of an entry whose condition is stated
 entry_certificate      certificate of an entry: both sides of its equations as integer lists
 sheet                  papers as TOML files, read to entries
 run                    decision of a file's equations in worker processes
@@ -35,8 +41,9 @@ from pathlib import Path
 from ..output.listing import Listing
 from ..output.progress import bar, no_op
 from . import condurache_popa_2023, karakilic_2010
-from .decide import ORDERS, decide
+from .decide import decide
 from .equation import Entry, Paper, Reading, UndecidedError, equation
+from .judge import ORDERS
 from .language.claims import ClaimError
 from .result import Result, Status, Verdict
 from .run import SECONDS, decide_each

@@ -7,17 +7,15 @@ from contextlib import suppress
 from dataclasses import replace
 from functools import partial
 from itertools import product
-from math import lcm
 from typing import Any
 
 from ..algebra.element import NotExactError
-from .equation import Entry, Reading, UndecidedError, faithful
 from .claim import Claim
+from .equation import Entry, Reading, UndecidedError, faithful
 from .explore import Trial, counterexample, explore
 from .judge import ORDERS, Finding, Pairs, decided, steps_of, witness
 from .language.environment import Env
-from .language.operator_table import over
-from .language.printed import Number, Term, Trait, takes_apart, walk, with_trait
+from .language.printed import Term, Trait, takes_apart, with_trait
 from .numbers.generic import Generic
 from .numbers.quantities import BRANCH, ORDER, SIGN
 from .result import Result, Status, Verdict

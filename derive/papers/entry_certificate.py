@@ -9,8 +9,8 @@ from ..algebra.element import Element
 from ..proof.certificate import Certificate, part
 from ..proof.identity import Sides
 from .claim import Claim
-from .decide import ORDERS, Pairs, prove
-from .judge import proved
+from .decide import prove
+from .judge import ORDERS, Pairs, proved
 from .language import operator_table
 from .language.printed import Apply, Term, text
 from .language.written import written

@@ -291,7 +291,8 @@ def witness(claim: Claim, finding: Finding) -> Counterexample | None:
     """Return the point where a claim is false, or a point outside its condition."""
     if finding.failing is not None:
         return _counterexample(claim, finding.failing)
-    return None if finding.outside is None else _counterexample(claim, finding.outside, _outside(claim, finding.outside))
+    outside = finding.outside
+    return None if outside is None else _counterexample(claim, outside, _outside(claim, outside))
 
 
 def _outside(claim: Claim, place: Place) -> str:

@@ -11,10 +11,13 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import Any
 
-from ...algebra import Quaternion, Tensor, Vector
+from ...algebra import Dual, Quaternion, Tensor, Vector
 from ...algebra.matrix import shaped
 from .balls import Balls, precision
-from .quantities import QUANTITIES, Quantity, Role
+from .draw import Draw
+from .quantities import QUANTITIES as QUANTITIES
+from .quantities import Quantity as Quantity
+from .quantities import Role
 
 Numbers = Sequence[Any]
 SPECIAL_BITS = 4096
@@ -154,6 +157,19 @@ def _exact(kind: Kind) -> Callable[[Any, str], Any]:
     return value
 
 
+def _drawn(kind: Kind) -> Callable[[Draw], Any]:
+    def coordinate(draw: Draw) -> Any:
+        value = draw.real() if kind.spread == "positive" else draw.signed()
+        if kind.spread == "integer":
+            return draw.random.randint(-5, 9)
+        if not kind.constant:
+            return draw.number(value) if kind.dual else draw.scalar(value)
+        return Dual(draw.plain(value), draw.plain(draw.signed())) if kind.dual else draw.lifted(draw.plain(value))
+
+    first = [1] * kind.projective
+    return lambda draw: kind.build([*first, *(coordinate(draw) for _ in range(kind.size - len(first)))])
+
+
 def _row(name: str, kind: Kind) -> Quantity:
     """Return the row of a kind in the table of quantities; a row that is there only gains the value without a frame."""
     plain = QUANTITIES.get(name.removeprefix("constant "))
@@ -161,7 +177,7 @@ def _row(name: str, kind: Kind) -> Quantity:
         return replace(plain, built=_exact(kind))
     role = plain.role if plain else Role.TENSOR if kind.size > 1 else None
     exact = plain.exact if plain and role is Role.ANGLE else _exact(kind)
-    return Quantity(name, size=kind.size, exact=exact, built=exact, role=role)
+    return Quantity(name, _drawn(kind), size=kind.size, exact=exact, built=exact, role=role, apart=not kind.dual)
 
 
 QUANTITIES |= {name: _row(name, kind) for name, kind in KINDS.items()}
