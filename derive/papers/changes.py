@@ -87,7 +87,7 @@ def _steps(node: Term, named: Name, depth: int) -> Iterator[Change]:
     elif name not in RELATIONS:
         rank = 1 if depth == 0 or isinstance(node, Symbol) or name.startswith("call") else 2
         for later, sort, words, form in _WRAPPED:
-            if sort == name.split()[0]:
+            if [sort] == name.split()[:1]:
                 continue  # its absence is another change
             yield rank + later, sort, f"{words} {shown}", form(node)
 

@@ -164,7 +164,7 @@ class Result(Typeset):
             "status": str(self.status),
             "printed": f"$\\displaystyle {self.printed}$",
             "corrected": f"$\\displaystyle {self.corrected}$" if self.corrected else "",
-            "method": self.method,
+            "method": "; ".join(part for part in (self.found, self.method) if part),
         }
 
     def __repr__(self) -> str:

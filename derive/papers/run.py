@@ -36,8 +36,8 @@ def decide_each(
     done: queue.SimpleQueue[int | BaseException] = queue.SimpleQueue()
     stop = threading.Event()
 
-    def serve() -> None:
-        with _Worker() as worker:
+    def work(worker: _Worker) -> None:
+        with worker:
             while not stop.is_set():
                 try:
                     i = waiting.get_nowait()
@@ -50,7 +50,8 @@ def decide_each(
                     done.put(error)
                     return
 
-    threads = [threading.Thread(target=serve, daemon=True) for _ in range(min(cores(), len(items)))]
+    crew = [_Worker() for _ in range(min(cores(), len(items)))]
+    threads = [threading.Thread(target=work, args=(worker,), daemon=True) for worker in crew]
     for thread in threads:
         thread.start()
     try:
@@ -62,9 +63,15 @@ def decide_each(
             step(f"equation {sheet.entries()[place].number}")
     finally:
         stop.set()
+        for worker in crew:
+            worker.kill()
         for thread in threads:
-            thread.join(1)
+            thread.join(JOIN)
     return [result for result in results if result is not None]
+
+
+JOIN = 5.0
+"""Seconds in which threads notice that their processes are dead."""
 
 
 class _Worker:
@@ -77,9 +84,16 @@ class _Worker:
         return self
 
     def __exit__(self, *_: object) -> None:
+        """Kill the process and close its pipes; only the thread that began it does this."""
+        self.kill()
+        if self.process is not None:
+            self.process.communicate()
+            self.process = None
+
+    def kill(self) -> None:
+        """Kill the process; any thread may."""
         if self.process is not None:
             self.process.kill()
-            self.process.communicate()
 
     def decide(self, sheet: Sheet, place: int, seconds: float) -> Result:
         """Return the result of an entry, or undecided if the worker dies or takes too long."""
@@ -109,7 +123,6 @@ class _Worker:
             found = pickle.load(process.stdout)
         except (EOFError, OSError, pickle.UnpicklingError):
             self.__exit__()
-            self.process = None
             reason = f"not decided within {seconds:g} s" if late.is_set() else "the process that decided it died"
             return undecided(slug, entry, reason)
         finally:
@@ -128,19 +141,30 @@ def serve() -> None:
     """Decide what the standard input asks for, until it ends."""
     try:
         _serve()
-    except (EOFError, KeyboardInterrupt, BrokenPipeError):
+    except (KeyboardInterrupt, BrokenPipeError):
+        os._exit(0)
+
+
+def _receive(requests: queue.SimpleQueue[Any]) -> None:
+    """Put requests into a queue; end the process with the main process, which closes the standard input."""
+    try:
+        while True:
+            requests.put(pickle.load(sys.stdin.buffer))
+    except EOFError:
         os._exit(0)
 
 
 def _serve() -> None:
     from .judge import judge_claim
 
-    requests, answers, sys.stdout = sys.stdin.buffer, sys.stdout.buffer, sys.stderr
+    requests: queue.SimpleQueue[Any] = queue.SimpleQueue()
+    answers, sys.stdout = sys.stdout.buffer, sys.stderr
     sheets: dict[str, Sheet] = {}
     pickle.dump("ready", answers)
     answers.flush()
+    threading.Thread(target=_receive, args=(requests,), daemon=True).start()
     while True:
-        request, place = pickle.load(requests)
+        request, place = requests.get()
         sheet = sheets.setdefault(repr(request), Sheet.made(request))
         slug, entry = sheet.slug, sheet.entries()[place]
         try:
