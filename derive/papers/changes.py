@@ -55,8 +55,9 @@ def _places(
     """Yield each part of a term, the function that puts another part in its place, and its depth below a relation."""
     yield node, rebuilt, depth
     for i, argument in enumerate(node.arguments):
-        if BINDERS.get(node.operator.name) == i or (isinstance(argument, Symbol) and argument.quantity.name == "function"):
-            continue  # a bound letter, or the name of a definition
+        named = isinstance(argument, Symbol) and argument.quantity.name == "function"
+        if named or BINDERS.get(node.operator.name) == i:
+            continue  # the name of a definition, or a bound letter
 
         def replaced(new: Term, i: int = i) -> Term:
             return rebuilt(Apply(node.operator.name, *node.arguments[:i], new, *node.arguments[i + 1 :]))

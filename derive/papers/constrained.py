@@ -8,7 +8,8 @@ from itertools import pairwise
 from typing import Any
 
 from .claim import Claim, Place
-from .language.printed import symbols
+from .language.environment import Env
+from .language.printed import Term, Trait, symbols
 from .language.values import add, coefficients, negative
 from .numbers.balls import Ball, BlurredError, arb, flint, precision
 from .numbers.kinds import Numbers
@@ -37,33 +38,37 @@ def onto(claim: Claim, place: Place) -> Place | None:
             at[letter], parts[letter] = values[:size], values[size:]
         return replace(place, at=at, parts=parts)
 
+    def left(x: Sequence[Any]) -> list[Any]:
+        return [arb(c).mid() for c in gaps(claim.env(moved(x)), claim.constraints)]
+
     with precision(BITS):
         try:
-            x = _solved(lambda x: _gaps(claim, moved(x)), [arb(c).mid() for row in start for c in row])
+            x = _solved(left, [arb(c).mid() for row in start for c in row])
         except (ArithmeticError, BlurredError):
             return None
         width = flint().arb(2) ** -WIDTH
         return None if x is None else moved([Ball(flint().arb(c, width)) for c in x])
 
 
-def _gaps(claim: Claim, place: Place) -> list[Any]:
-    """Return the differences of both sides of the equations, with their dual parts and rates."""
-    env = claim.env(place)
-    sides = [(env.value(a), env.value(b)) for part in claim.constraints for a, b in pairwise(part.arguments)]
-    gaps = [a if isinstance(b, int) and not b else add(a, negative(b)) for a, b in sides]
-    return [arb(c).mid() for gap in gaps for c in coefficients(gap)]
+def gaps(env: Env, constraints: Sequence[Term]) -> list[Any]:
+    """Return the differences of both sides of equations, with their dual parts and rates; magnitudes are squared."""
+    pairs = [pair for part in constraints for pair in pairwise(part.arguments)]
+    squared = [any(Trait.LENGTH in side.operator.traits for side in pair) for pair in pairs]
+    sides = [[env.value(a**2 if square else a) for a in pair] for pair, square in zip(pairs, squared, strict=True)]
+    found = [a if isinstance(b, int) and not b else add(a, negative(b)) for a, b in sides]
+    return [c for gap in found for c in coefficients(gap)]
 
 
-def _solved(gaps: Any, x: list[Any]) -> list[Any] | None:
+def _solved(left: Any, x: list[Any]) -> list[Any] | None:
     """Return a zero of the differences near x, by steps of least length."""
     matrix, two = flint().arb_mat, flint().arb(2)
     transposed = inverse = None
     for _ in range(STEPS_MAX):
-        now = gaps([Ball(c) for c in x])
+        now = left([Ball(c) for c in x])
         if all(abs(g) < two**-REACHED for g in now):
             return x
         if inverse is None or any(abs(g) > two**-KEPT for g in now):  # nearer, the slopes serve further steps
-            transposed = matrix(_slopes(gaps, x, now))
+            transposed = matrix(_slopes(left, x, now))
             damping = matrix([[two**-DAMPING if i == k else 0 for k in range(len(now))] for i in range(len(now))])
             inverse = (transposed.transpose() * transposed + damping).inv()
         change = transposed * (inverse * matrix([[g] for g in now]))
@@ -71,11 +76,11 @@ def _solved(gaps: Any, x: list[Any]) -> list[Any] | None:
     return None
 
 
-def _slopes(gaps: Any, x: list[Any], now: list[Any]) -> list[list[Any]]:
+def _slopes(left: Any, x: list[Any], now: list[Any]) -> list[list[Any]]:
     """Return the derivatives of all differences by each coordinate."""
     step, rows = flint().arb(2) ** -STEP, []
     for i in range(len(x)):
-        beside = gaps([Ball(c + step if i == k else c) for k, c in enumerate(x)])
+        beside = left([Ball(c + step if i == k else c) for k, c in enumerate(x)])
         rows.append([((b - a) / step).mid() for a, b in zip(now, beside, strict=True)])
     return rows
 

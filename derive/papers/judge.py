@@ -15,6 +15,7 @@ from ..algebra.mixed import MeaninglessError
 from .changes import changes, signs_and_coefficients
 from .claim import Claim, Place, RefusedError, kind, operators
 from .conditions import REGION_MIN, Region, branched, exclusions, plain, region
+from .constrained import gaps
 from .equation import Entry
 from .explore import sides
 from .language.environment import Env
@@ -25,6 +26,7 @@ from .language.written import written
 from .numbers.balls import Ball, BlurredError, precision
 from .numbers.fields import Exact
 from .numbers.generic import STEPS, Generic
+from .numbers.ideal import Ideal
 from .numbers.quantities import ORDER, SIGN
 from .probe import Probe
 from .result import Counterexample, Result, Status, Verdict
@@ -175,7 +177,7 @@ def proved(claim: Claim, found: list[Pairs] | None = None) -> bool:
     order = next((a for a in claim.letters if a.quantity is ORDER), None)
     sign = next((a for a in claim.letters if a.quantity is SIGN), None)
     framed = COMPONENTWISE.isdisjoint(name.split()[0] for name in operators(*claim.parts) if name)
-    for way in WAYS if framed else WAYS[2:]:
+    for way in WAYS if framed and not claim.constraints else WAYS[2:]:
         for every in (True, False) if order is not None else (False,):
             choices = product((None,) if every or order is None else ORDERS, (1, -1) if sign else (1,))
             discrete = [{a: b for a, b in ((order, n), (sign, s)) if a and b} for n, s in choices]
@@ -199,6 +201,9 @@ def _exact(
     generic.field.functions.lowest_terms = found is None
     pairs: Pairs | None = None if found is None else []
     env = Env(generic.field, generic.values | discrete, claim.entry.definitions, claim.dual, claim.depth)
+    if claim.constraints:
+        equations = [generic.field.functions.element(c) for c in gaps(env, claim.constraints)]
+        generic.field.ideal = Ideal([equation for equation in equations if equation])
     try:
         if claim.entry.claimed is not None and not env.value(claim.entry.claimed):
             return False

@@ -115,6 +115,15 @@ def test_constraints_are_named() -> None:
     assert judged("dyad(n, n) == dyad(n, n)*I", {"n": "unit vector"}).needs == ()
 
 
+@pytest.mark.parametrize(("text", "letters", "domain"), [
+    ("norm(q*v*conjugate(q))**2 == norm(v)**2", {"q": "quaternion", **V}, "norm(q) == 1"),
+    ("R*skew(v)*transpose(R) == skew(R*v)", OF_TENSOR, ROTATION), ("dot(v, rate(v)) == 0", V, "norm(v) == 1"),
+    ("cross(v, cross(v, w)) == -w", VW, "dot(v, w) == 0 and dot(v, v) == 1"),
+], ids=str)  # fmt: skip
+def test_truth_under_constraints_is_exact(text: str, letters: dict[str, str], domain: str) -> None:
+    assert judged(text, letters, domain).certainty == "exact"
+
+
 def test_vacuous_terms_are_named() -> None:
     assert judged("norm(v - w) == norm(w - v)", VW).vacuous == ()
     assert judged("v + 0*(v - w) == v", VW).vacuous == ("sign of 0*(v - w)", "sign of w")
