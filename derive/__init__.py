@@ -37,14 +37,14 @@ if TYPE_CHECKING:
     from .motion_equations import motion_equation
     from .pages.comparison import compare
     from .pages.explain import explain
-    from .papers import verify
+    from .papers import check, verify
 
 _HOMES = dict.fromkeys(("Cayley", "Parameterization", "family"), "front") | {
     "alpha": "maps.families", "x": "maps", "motion_equation": "motion_equations", "generate": "codegen",
-    "compare": "pages.comparison", "explain": "pages.explain", "verify": "papers",
+    "compare": "pages.comparison", "explain": "pages.explain", "check": "papers", "verify": "papers",
 }  # fmt: skip
 __all__ = [
-    "Cayley", "Parameterization", "__version__", "alpha", "compare", "explain", "family", "generate",
+    "Cayley", "Parameterization", "__version__", "alpha", "check", "compare", "explain", "family", "generate",
     "motion_equation", "verify", "x",
 ]  # fmt: skip
 

@@ -124,7 +124,13 @@ def list_catalogue() -> None:
 
 
 @cli.command()
+@click.argument("sheets", nargs=-1, metavar="[FILE.toml]...", type=click.Path())
 @click.option("--paper", type=click.Choice(about.PAPERS), help="One paper; all by default.")
+@click.option("--claim", metavar="TEXT", help="One claim, e.g. 'R*transpose(R) == I'.")
+@click.option("--let", "letters", metavar="NAME=KIND", multiple=True, help="Kind of a letter, e.g. R=rotation.")
+@click.option("--domain", metavar="TEXT", help="Domain of --claim, e.g. 'norm(v) != 0'.")
+@click.option("--seconds", type=click.FloatRange(min=0, min_open=True), default=60.0, show_default=True,
+              help="Time limit of each equation of a file.")  # fmt: skip
 @click.option("--eq", "equations", metavar="NAMES", help="Numbers or slugs, e.g. 88,111; all by default.")
 @orders("Orders at which statements about n are executed and the formulas proved, e.g. 1-8.")
 @form(about.FORMATS, "How the report is written.")
@@ -134,10 +140,10 @@ def list_catalogue() -> None:
     "--certificates", type=options.Place(dir_okay=False),
     help="JSON file to write: what each decision rests on, for tools/check_certificates.py.",
 )
-@click.option("--strict", is_flag=True, help="Exit 1 for an erratum too.")
+@click.option("--strict", is_flag=True, help="Exit 1 for a false or undecided equation too.")
 @options.max_n
 def verify(**given: Any) -> None:
-    """Decide every equation of the papers, with conditions, and with corrections of the wrong ones."""
+    """Decide every equation of the papers, of files, or one claim: true, true where, or false and how to mend it."""
     run_module("verify", given)
 
 

@@ -7,23 +7,20 @@ from contextlib import suppress
 from dataclasses import replace
 from functools import partial
 from itertools import product
-from math import lcm
 from typing import Any
 
 from ..algebra.element import NotExactError
+from .claim import Claim
 from .equation import Entry, Reading, UndecidedError, faithful
 from .explore import Trial, counterexample, explore
+from .judge import ORDERS, Finding, Pairs, decided, steps_of, witness
 from .language.environment import Env
-from .language.operator_table import over
-from .language.printed import Number, Term, Trait, takes_apart, walk, with_trait
+from .language.printed import Term, Trait, takes_apart, with_trait
 from .numbers.generic import Generic
 from .numbers.quantities import BRANCH, ORDER, SIGN
 from .result import Result, Status, Verdict
 from .sharp import is_sharp
 
-ORDERS = (1, 2, 3, 4, 5)
-Pairs = list[tuple[Any, Any]]
-"""Pairs of equal numbers in one exact field."""
 SHORT_DECIMALS = 1
 """Decimals of the numbers in a counterexample, if the statement also fails at numbers this short."""
 
@@ -95,12 +92,22 @@ def judge(entry: Entry, reading: Reading, orders: Sequence[int]) -> Verdict:
         short = explore(entry, reading.statement, orders, SHORT_DECIMALS)
         shown = next((trial for trial in short if trial.inside and trial.truth is False), failed)
         return verdict(False, f"refuted at {failed.place}", counterexample(shown, entry, reading.statement))
+    if (finding := _found(entry, reading.statement)) is not None:
+        return verdict(False, finding.method, witness(Claim(entry, reading.statement), finding))
     outside = [trial for trial in trials if not trial.inside]
     if not inside or (entry.condition is not None and not outside):
         raise UndecidedError(f"({entry.number}): no point on {'both sides' if inside else 'the inside'} of its domain")
     beyond = _beyond(entry, reading.statement, outside)
     method = _method(entry, reading.statement, prove(entry, reading.statement, orders), len(inside))
     return verdict(True, f"{method}; also true at {beyond.point}" if beyond else method)
+
+
+def _found(entry: Entry, statement: Term) -> Finding | None:
+    """Return the finding for a statement without definitions, domain or condition if it fails somewhere."""
+    if entry.where or entry.also or entry.claimed is not None or entry.condition is not None:
+        return None
+    finding = decided(Claim(entry, statement, lenient=True))
+    return finding if finding.failing or finding.outside else None
 
 
 def _beyond(entry: Entry, statement: Term, outside: Sequence[Trial]) -> Trial | None:
@@ -150,7 +157,7 @@ def prove(entry: Entry, statement: Term, orders: Sequence[int], found: list[Pair
     try:
         for n in orders if order is not None else (0,):
             for k, plus_minus in product(range((entry.branches or n) if branch else 1), (1, -1) if sign else (1,)):
-                steps = 4 * n or _steps(statement)
+                steps = 4 * n or steps_of(statement)
                 point = Generic(generic, dual, entry.moving, steps, framed=not entry.components)
                 if branch is not None:
                     point.fix_branch(branch, k)
@@ -161,12 +168,6 @@ def prove(entry: Entry, statement: Term, orders: Sequence[int], found: list[Pair
     if not checked:
         return None
     return "exact" if order is None else f"exact, n = {', '.join(map(str, orders))}"
-
-
-def _steps(statement: Term) -> int:
-    """Return an integer M such that the statement contains only multiples of α/M, for each free angle α."""
-    divisors = [node.arguments[1] for node in walk(statement) if node.operator is over]
-    return 2 * lcm(2, *(d.value for d in divisors if isinstance(d, Number)))
 
 
 def _checked(entry: Entry, statement: Term, point: Generic, found: list[Pairs] | None = None) -> bool:

@@ -137,8 +137,7 @@ def test_command_page_has_every_option() -> None:
     text = reference.command_page()
     for name, command in cli.commands.items():
         part = text.split(f"## dualcay {name}\n")[1].split("\n## ")[0]
-        for option in command.params:
-            assert isinstance(option, click.Option)
+        for option in (found for found in command.params if isinstance(found, click.Option)):
             assert f":::{{option}} {', '.join(option.opts)}" in part
 
 

@@ -53,7 +53,7 @@ Form = tuple[Fraction, Any, int]
 def parsed(text: str, order: int | None = None) -> sympy.Expr:
     """Return a text as an expression in `families.alpha`, with `order` for n; `PhiError` names a refused part."""
     text = text.strip(" ")
-    tree = grammar.syntax_tree(text)
+    tree = grammar.PHI.tree(text)
     try:
         found = _Builder(text, order).build(tree)
     except ZeroDivisionError:
@@ -72,7 +72,7 @@ class _Builder:
         """Return the expression of a node that `grammar` allows."""
         match node:
             case ast.Constant():
-                digits, exponent = grammar.decimal(node, self.text)
+                digits, exponent = grammar.PHI.decimal(node, self.text)
                 return sympy.Integer(digits) * sympy.Integer(10) ** exponent
             case ast.Name():
                 return self._name(node.id)
