@@ -121,6 +121,9 @@ class Chart(Typeset, ABC):
         """Text of φ(α), such as ``tan(α/6)``."""
         return str(self.phi).replace("alpha", "α").replace("**", "^").replace("*", " ")
 
+    def require_kernels(self) -> None:
+        """Raise `PhiError` if kernels cannot compute the chart."""
+
     # --- scalars and inverse maps ---------------------------------------------------------------------------------
 
     @abstractmethod

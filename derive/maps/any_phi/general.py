@@ -10,6 +10,7 @@ Beyond the limit, with ``ρ = 1/φ′``, theorems on every φ give ``h = (ρ −
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -22,12 +23,13 @@ from .. import stumpff
 from ..angle_chart import AngleChart
 from ..families import alpha
 from ..order_charts import Derivatives, half_angle
+from ..phi_error import SYMBOLIC_ONLY, PhiError
 from ..real_constants import plus
 from ..scalars import DependentScalars, scalar
 from .edges import PHI_DIGITS, Edge, edge_of
 from .first_guess import Guess, guess
 from .near_zero import Ratio, ratio
-from .phi_values import PhiValues, require_known
+from .phi_values import PhiValues
 
 
 class GeneralScalars(DependentScalars):
@@ -164,7 +166,6 @@ class General(AngleChart):
     @cached_property
     def near(self) -> Ratio:
         """Polynomials of a(x) and its derivatives, below a limit."""
-        require_known(self.expression)
         return ratio(self.expression, self._edge)
 
     @cached_property
@@ -183,6 +184,20 @@ class General(AngleChart):
             size = float(self.phi.subs(alpha, self.edge).evalf(PHI_DIGITS))
         return f"v ends, at Re|v| = {size:.6g}", size
 
+    @property
+    def range(self) -> sympy.Expr:
+        return sympy.oo if self._edge.kind == "pole" else super().range
+
+    def require_kernels(self) -> None:
+        """Raise `PhiError` if kernels cannot compute the chart to full precision."""
+        try:
+            if float(self.edge) < math.pi:
+                reason = f"ends at alpha = {self.edge.evalf(8)}, and poses that turn further, up to pi, have no v"
+                raise PhiError(f"phi = {self.phi} {reason}")
+            _ = self.far
+        except PhiError as error:
+            raise PhiError(f"{error}: {SYMBOLIC_ONLY}") from None
+
     def scalars(self, x: Coefficient, m: Arithmetic) -> GeneralScalars:
         return GeneralScalars(self, x, m)
 
@@ -196,11 +211,7 @@ class General(AngleChart):
 
     def far_angle(self, x: Coefficient, r: Coefficient, m: Arithmetic) -> Coefficient:
         """Return α by Newton's method from the first guess."""
-        angle = m.name("guess", self.far.lowered(x, r, m))
-        for step in range(self.far.steps):
-            at = PhiValues(m.corrected(angle), m)
-            angle = m.name(f"alpha{step}", angle - m.div(at.derivative(self.phi, 0) - r, at.derivative(self.phi, 1)))
-        return angle
+        return self.far.solved(x, r, m)
 
     def phi_derivatives(self, angle: Coefficient, m: Arithmetic, mark: str = "") -> Derivatives:
         """Return φ, φ′, φ″; NaN beyond the edge, by the root of a negative number."""

@@ -17,7 +17,7 @@ from ...algebra import Coefficient
 from ...algebra.arithmetic import Arithmetic
 from ..families import alpha
 from ..order_charts import double_angle
-from ..phi_error import SYMBOLIC_ONLY, PhiError
+from ..phi_error import PhiError
 from ..polynomials import Pair
 from ..real_constants import is_small, number, plus, times
 from .edges import PHI_DIGITS
@@ -28,13 +28,6 @@ LEVELS = 5
 
 ARC_SERIES = tuple(45045 // odd for odd in range(1, 15, 2))
 """Coefficients of the arc tangent series, without signs, scaled to integers."""
-
-
-def require_known(phi: sympy.Expr) -> None:
-    """Refuse a φ with functions that kernels do not compute."""
-    other = sorted({f.func.__name__ for f in phi.atoms(sympy.Function) if f.has(alpha) and f.func not in FUNCTIONS})
-    if other:
-        raise PhiError(f"kernels compute no {', '.join(other)}, as in phi = {phi}: {SYMBOLIC_ONLY}")
 
 
 class PhiValues:
@@ -179,6 +172,17 @@ class PhiValues:
         less = self.m.expm1(-2 * size)
         return self.m.where(below, less, -less) / (2 + less)
 
+    def _asinh(self, argument: sympy.Expr) -> Coefficient:
+        """Return the inverse hyperbolic sine ``sgn(a) log(1 + |a| + a²/(1 + √(1 + a²)))``."""
+        m, (size, below) = self.m, self._side(argument)
+        square = size * size
+        return m.where(below, -1, 1) * m.log1p(size + square / (1 + m.sqrt(1 + square)))
+
+    def _atanh(self, argument: sympy.Expr) -> Coefficient:
+        """Return the inverse hyperbolic tangent ``sgn(a) log(1 + 2|a|/(1 − |a|))/2``."""
+        m, (size, below) = self.m, self._side(argument)
+        return m.where(below, -1, 1) * m.div(m.log1p(2 * size / (1 - size)), 2)
+
     def _log(self, argument: sympy.Expr) -> Coefficient:
         """Return log a as ``log(1 + (a − 1))``, or as ``−log(1 + (1 − a)/a)`` for a < 1/2 to keep all digits."""
         m, a, beside = self.m, self.at(argument), self.at(argument - 1)
@@ -196,6 +200,8 @@ FUNCTIONS: Mapping[Any, Callable[[PhiValues, sympy.Expr], Coefficient]] = {
     sympy.sinh: lambda at, e: at._hyperbolic(e)[0],
     sympy.cosh: lambda at, e: at._hyperbolic(e)[1],
     sympy.tanh: PhiValues._tanh,
+    sympy.asinh: PhiValues._asinh,
+    sympy.atanh: PhiValues._atanh,
     sympy.exp: PhiValues._exp,
     sympy.log: PhiValues._log,
 }
