@@ -7,8 +7,10 @@ from __future__ import annotations
 
 import itertools
 from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
+from functools import reduce
+from operator import or_
 from typing import Any
 
 from .program import Assignment, Call, Program, Statement
@@ -28,9 +30,9 @@ def with_helpers(programs: Mapping[str, Program]) -> tuple[dict[str, Program], d
     found = {name: _with_inline_zero(program) for name, program in programs.items()}
     for back in (False, True):
         while candidates := list(_candidates(_with_room(found, programs), {*programs, *helpers}, back)):
-            _, helper, callers = max(candidates, key=lambda made: made[0])
+            _, helper, group, shared = max(candidates, key=lambda made: made[0])
             helpers[helper.name] = helper
-            found |= callers
+            found |= {key: _caller(found[key], helper, shared) for key in group}
     return helpers, found
 
 
@@ -50,23 +52,61 @@ def _with_inline_zero(program: Program) -> Program:
 
 def _candidates(
     programs: Mapping[str, Program], taken: set[str], back: bool
-) -> Iterator[tuple[int, Program, dict[str, Program]]]:
-    """Yield the saved lines, helper and callers for each set of programs that share a step; see `_closed`."""
+) -> Iterator[tuple[int, Program, Sequence[str], set[str]]]:
+    """Yield the saved lines, helper, callers and shared names for each set of programs that share a step."""
     written = {key: _written_out(program) for key, program in programs.items()}
     steps = dict.fromkeys(step for found in written.values() for step in found.items())
     groups = dict.fromkeys(tuple(key for key, found in written.items() if step in found.items()) for step in steps)
     for group in groups:
+        callers = [programs[key] for key in group]
         common = set.intersection(*({*written[key].items()} for key in group))
-        shared, before = {letter for letter, _ in common}, set[str]()
-        while shared != before:
-            before = shared
-            shared = shared.intersection(*(_closed(shared, programs[key], back) for key in group))
-        saved = (len(group) - 1) * len(shared) - len(group) - HEAD
-        if saved < LEAST_SAVING:
-            continue
-        helper = _helper(taken, programs[group[0]], shared, [programs[key] for key in group])
-        if max(len(helper.inputs), len(helper.outputs)) <= MOST_PASSED:
-            yield saved, helper, {key: _caller(programs[key], helper, shared) for key in group}
+        shared = _closed_in_all({letter for letter, _ in common}, callers, back)
+        for narrowed in (False, True):
+            shared = _closed_in_all(_narrow(shared, callers[0]), callers, back) if narrowed else shared
+            saved = (len(group) - 1) * len(shared) - len(group) - HEAD
+            if saved < LEAST_SAVING:
+                break
+            helper = _helper(taken, callers[0], shared, callers)
+            if max(len(helper.inputs), len(helper.outputs)) <= MOST_PASSED:
+                yield saved, helper, group, shared
+                break
+
+
+def _narrow(shared: set[str], program: Program) -> set[str]:
+    """Return the largest set of shared names on which one of them depends, and of which others read few names."""
+    steps = [step for step in program.steps if step.name in shared]
+    bits = {step.name: 1 << place for place, step in enumerate(steps)}
+    above, through, readers = dict[Any, int](), dict[Any, int](), dict[Any, int](dict.fromkeys(bits, 0))
+    for statement in program.statements:
+        own = bits.get(statement.name, 0) if isinstance(statement, Assignment) else 0
+        read = _union(bits.get(arg, 0) | through.get(arg, 0) for arg in statement.args)
+        if isinstance(statement, Assignment):
+            above[statement.name] = own | _union(above.get(arg, 0) for arg in statement.args)
+            if statement.inline:
+                through[statement.name] = read
+                continue
+        for name in (name for name, bit in bits.items() if bit & read):
+            readers[name] |= own or 1 << len(steps)
+
+    def passed(inside: int) -> int:
+        return sum(1 for name, bit in bits.items() if bit & inside and readers[name] & ~inside)
+
+    few = [above[name] for name in bits if passed(above[name]) <= MOST_PASSED]
+    best = max(few, key=int.bit_count, default=0)
+    return {name for name, bit in bits.items() if bit & best}
+
+
+def _union(masks: Iterable[int]) -> int:
+    return reduce(or_, masks, 0)
+
+
+def _closed_in_all(shared: set[str], programs: Sequence[Program], back: bool) -> set[str]:
+    """Return the shared names that a helper can hold for all programs; see `_closed`."""
+    before = set[str]()
+    while shared != before:
+        before = shared
+        shared = shared.intersection(*(_closed(shared, program, back) for program in programs))
+    return shared
 
 
 def _written_out(program: Program) -> Steps:

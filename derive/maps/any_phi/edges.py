@@ -57,7 +57,7 @@ class Edge:
     order: sympy.Rational = field(default=sympy.S.One, compare=False)
     """Order of the pole, 0 for a logarithm, or of the zero of φ′."""
     flat: tuple[Any, ...] = field(default=(), compare=False)
-    """Angles below the edge at which φ′ has its least minima, the least one first."""
+    """Angles below the edge at and beside the least minima of φ′, the least one first."""
 
 
 @lru_cache(maxsize=64)
@@ -207,7 +207,11 @@ def _named(root: Any) -> sympy.Expr:
 
 
 def _flat(slope: sympy.Expr, marched: list[tuple[Any, Any]]) -> tuple[Any, ...]:
-    """Return the angles of the least minima of φ′ below the edge; kernels are tested there, so floats find them."""
+    """Return the angles of the least minima of φ′ below the edge, each with two angles beside it.
+
+    There ``φ″/φ′`` is largest, so that Newton's method is in most danger. Kernels are tested at these angles; nothing
+    is concluded from them.
+    """
     rise, bend, found = slope.diff(alpha), slope.diff(alpha, 2), dict[Any, Any]()
     angles = [low for low, high in marched if high - low > FLAT_WIDTH]
     slopes = [real_value(slope, angle, slope) for angle in angles]
@@ -216,7 +220,9 @@ def _flat(slope: sympy.Expr, marched: list[tuple[Any, Any]]) -> tuple[Any, ...]:
             angle = _refined(rise, bend, angles[k])
             if angles[k - 1] < angle < angles[k + 1]:
                 found[angle] = real_value(slope, angle, slope)
-    return tuple(sorted(found, key=found.__getitem__)[:FLAT_MAX])
+    least = sorted(found, key=found.__getitem__)[:FLAT_MAX]
+    beside = [mpmath.sqrt(2 * found[angle] / real_value(bend, angle, slope)) for angle in least]
+    return tuple(a + side * d for a, d in zip(least, beside, strict=True) for side in (0, 1, -1))
 
 
 def closed_inverse(phi: sympy.Expr) -> sympy.Expr | None:

@@ -40,7 +40,7 @@ HALVINGS_MAX = 32
 DIGITS_LEFT = {"pole": 53, "fold": 27, "cut": 0}
 """Distance to the edge, in binary digits, to which steps are proved; floats resolve no angles nearer to it."""
 PARTS, PARTS_MAX = 48, 6000
-PARTED_MAX, PARTED_FOR_FEWER = 16, {"steps": 3, "count": 10}
+PARTED_MAX, PARTED_FOR_FEWER = 16, {"steps": 3, "count": 13}
 """Largest number of times that an interval is halved to prove any number, and to prove fewer steps or halvings."""
 
 
@@ -283,9 +283,11 @@ def _proved(at: Intervals, edge: Edge, found: Guess, first: Any) -> Guess | None
     if isinstance(found, Closed):
         return found  # exact up to rounding
     parts = _parts(edge, first, found.edge)[::-1]
-    if any(_needed(at, edge, found, low, low, 1) is None for low, _ in parts):  # no smaller interval can help
-        return None
     pending, most = [(low, high, 0) for low, high in parts], 1
+    for low, _ in parts:
+        if (need := _needed(at, edge, found, low, low, most)) is None:
+            return None  # no smaller interval can help
+        most = max(most, need)
     proved = "count" if isinstance(found, Halved) else "steps"
     for _ in range(PARTS_MAX):
         if not pending:

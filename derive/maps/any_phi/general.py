@@ -13,6 +13,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Any
 
 import mpmath
 import sympy
@@ -30,6 +31,7 @@ from .edges import PHI_DIGITS, Edge, edge_of
 from .first_guess import Guess, guess
 from .near_zero import Ratio, ratio
 from .phi_values import PhiValues
+from .rounding import require_digits
 
 
 class GeneralScalars(DependentScalars):
@@ -174,6 +176,10 @@ class General(AngleChart):
         return guess(self.expression, self._edge, self.near.limit)
 
     @property
+    def steep(self) -> tuple[Any, ...]:
+        return self._edge.flat
+
+    @property
     def remainder(self) -> float:
         return self.near.remainder + stumpff.REMAINDER
 
@@ -192,8 +198,9 @@ class General(AngleChart):
         """Raise `PhiError` if kernels cannot compute the chart to full precision."""
         try:
             if float(self.edge) < math.pi:
-                reason = f"ends at alpha = {self.edge.evalf(8)}, and poses that turn further, up to pi, have no v"
+                reason = f"ends at alpha = {self.edge if self.edge.has(sympy.pi) else self.edge.evalf(8)}, and poses that turn further, up to pi, have no v"
                 raise PhiError(f"phi = {self.phi} {reason}")
+            require_digits(self.expression, self._edge, self.inverse(mpmath.sqrt(float(self.near.limit))))
             _ = self.far
         except PhiError as error:
             raise PhiError(f"{error}: {SYMBOLIC_ONLY}") from None
