@@ -99,16 +99,19 @@ def edge(text: str) -> tuple[Any, str]:
                 return _bisected(text, low, least), "fold"
         if last == POINTS:
             return 4 * mpmath.pi, "cut"
-        low = mpmath.mpf(angles[last - 1]) if last else mpmath.mpf(0)
-        found = _bisected(text, low, low + 2 * CUT / POINTS)
+        low = mpmath.mpf(angles[last - 2]) if last > 1 else mpmath.mpf(0)  # slopes of arrays are less accurate
+        found = _bisected(text, low, low + 4 * CUT / POINTS)
         before = found - mpmath.mpf(10) ** -30
         kind = "pole" if value(text, before) > 10**6 else "fold" if slope(text, before) < 10**-6 else "end"
         return found, kind
 
 
 def value(text: str, angle: Any) -> Any:
-    """Return φ of an mpmath number."""
-    return mpmath.re(_evaluated(text, angle, NUMBERS))
+    """Return φ of an mpmath number; a NaN at a pole."""
+    try:
+        return mpmath.re(_evaluated(text, angle, NUMBERS))
+    except ZeroDivisionError:
+        return mpmath.nan
 
 
 def slope(text: str, angle: Any) -> Any:

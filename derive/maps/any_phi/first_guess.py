@@ -10,10 +10,10 @@ from __future__ import annotations
 
 import math
 from abc import ABC, abstractmethod
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from typing import Any
 
 import mpmath
@@ -119,21 +119,16 @@ def fold(size: Any) -> Variable:
     return Variable("Fold", of, lambda z: size * (1 - z * z), lambda r, z: -r / z * (1 / size), True)
 
 
-def pole(size: Any, order: sympy.Rational) -> Variable:
-    """Return the variable ``z = (1 + x/S)^(−1/(2 order))``, in which the angle is analytic at a pole."""
+def pole(length: Any, order: sympy.Rational) -> Variable:
+    """Return the variable ``z = (1 + r/S)^(−1/order)``, in which the angle is analytic at a pole and at 0."""
 
     def of(x: Coefficient, r: Coefficient, m: Arithmetic) -> Coefficient:
-        share = _share(x, size, m)
-        if 2 * order == 1:
-            return m.div(1, 1 + share)
-        if order in (1, 2):
-            root = m.sqrt(1 + share)
-            return m.div(1, m.sqrt(root) if order == 2 else root)
-        return 1 + m.expm1(m.div(-int(order.q) * m.log1p(share), 2 * int(order.p)))
+        share = m.name("share", times(1 / length, r, m, "ratio"))
+        return PhiValues(1 + share, m).at(alpha ** (-1 / order))
 
     power = mpmath.mpf(order.p) / order.q
     return Variable(
-        "Pole", of, lambda z: size * (z ** (-2 * power) - 1), lambda r, z: -r * z / (r * r + size) * (1 / power), True
+        "Pole", of, lambda z: (length * (z**-power - 1)) ** 2, lambda r, z: -z / (r + length) * (1 / power), True
     )
 
 
@@ -189,10 +184,14 @@ class Halved(Guess):
     order: sympy.Rational | None  # of the pole
     count: int
 
+    @cached_property
+    def bends(self) -> tuple[sympy.Expr, ...]:
+        """Expression of ``f″/f′`` by φ, which intervals bound well except near the pole."""
+        slope, bend = _derivatives(self.phi)
+        return (bend / slope - (1 + 1 / self.order) * slope / self.phi,) if self.order else ()
+
     def _target(self, r: Coefficient, m: Arithmetic) -> Coefficient:
-        if self.order is None:
-            return r
-        return m.div(1, {1: lambda: r, 2: lambda: m.sqrt(r)}.get(self.order, lambda: r * r)())
+        return PhiValues(r, m).at(alpha if self.order is None else alpha ** (-1 / self.order))
 
     def lowered(self, x: Coefficient, r: Coefficient, m: Arithmetic) -> Coefficient:
         target, low = m.name("target", self._target(r, m)), r - r
@@ -242,13 +241,13 @@ def _guesses(phi: sympy.Expr, edge: Edge, first: Any, end: Any) -> Iterator[Gues
         yield Closed(phi, end, 1, inverse, size)
     variables = [LENGTH, LOGARITHM]
     if edge.kind != "cut":
-        variables = [fold(size) if edge.kind == "fold" else pole(_square(phi, end / 2), edge.order)]
+        variables = [fold(size) if edge.kind == "fold" else pole(real_value(phi, end / 2, phi), edge.order)]
     for variable in variables:
         yield _fitted(phi, edge, variable, first, end)
     halved = Halved(phi, end, STEPS_HALVED, phi, None, 1)
     if edge.kind != "pole":
         yield halved
-    elif edge.order in (sympy.Rational(1, 2), 1, 2):
+    else:
         powers = with_quotients(phi).as_powers_dict()
         f = sympy.Mul(*(base ** (-power / edge.order) for base, power in powers.items()))
         yield replace(halved, f=f, order=edge.order)
@@ -288,7 +287,7 @@ def _proved(at: Intervals, edge: Edge, found: Guess, first: Any) -> Guess | None
         if (need := _needed(at, edge, found, low, low, most)) is None:
             return None  # no smaller interval can help
         most = max(most, need)
-    proved = "count" if isinstance(found, Halved) else "steps"
+    proved, most = ("count", most + 1) if isinstance(found, Halved) else ("steps", most)
     for _ in range(PARTS_MAX):
         if not pending:
             return replace(found, **{proved: most})
@@ -321,7 +320,7 @@ def _needed(at: Intervals, edge: Edge, found: Guess, low: Any, high: Any, least:
             return _steps(at, found.phi, found.error(at, low, high), low, high, left)
         for count in range(least, HALVINGS_MAX):
             error = replace(found, count=count).error(at, low, high)
-            steps = _steps(at, found.f, error, low, high, left if found.order is None else found.edge)
+            steps = _steps(at, found.f, error, low, high, found.edge if found.order else left, found.bends)
             if steps is not None and steps <= found.steps:
                 return count
     except (Undecided, ZeroDivisionError):
@@ -329,21 +328,40 @@ def _needed(at: Intervals, edge: Edge, found: Guess, low: Any, high: Any, least:
     return None
 
 
-def _steps(at: Intervals, f: sympy.Expr, error: Any, low: Any, high: Any, left: Any) -> int | None:
-    """Return the number of Newton steps on f after which the error is within the tolerance; None if not proved."""
-    try:
-        around = at.interval(low - error, high + error)
-        steep, bend = (at.size(at.enclosure(of, around)) for of in _derivatives(f))
-        ratio = bend[1] / (2 * steep[0])
-    except (Undecided, ZeroDivisionError):
-        return None
+def _steps(
+    at: Intervals, f: sympy.Expr, error: Any, low: Any, high: Any, left: Any, bends: Sequence[sympy.Expr] = ()
+) -> int | None:
+    """Return the number of Newton steps on f after which the error is within the tolerance; None if not proved.
+
+    ``bends`` are further expressions of ``f″/f′``.
+    """
+    around, width = at.interval(low - error, high + error), high - low + 2 * error
+    ratio = min((_ratio(at, f, around), *(_bounded(at, bend, around, width) for bend in bends)))
     for step in range(STEPS_MAX + 1):
         if error <= TOLERANCE * left:
             return step
-        if 2 * ratio * error > 1:
+        if not 2 * ratio * error <= 1:
             return None
         error = ratio * error**2
     return None
+
+
+def _ratio(at: Intervals, f: sympy.Expr, around: Any) -> Any:
+    """Return ``max |f″|/(2 min |f′|)``, infinite if nothing is proved."""
+    try:
+        steep, bend = (at.size(at.enclosure(of, around)) for of in _derivatives(f))
+        return bend[1] / (2 * steep[0]) if steep[0] else mpmath.inf
+    except Undecided:
+        return mpmath.inf
+
+
+def _bounded(at: Intervals, bend: sympy.Expr, around: Any, width: Any) -> Any:
+    """Return a bound of the same ratio from that of ``f″/f′``: on a width w, f′ changes by a factor of at most e^(w b)."""
+    try:
+        most = at.size(at.enclosure(bend, around))[1]
+        return most / 2 * mpmath.exp(width * most)
+    except Undecided:
+        return mpmath.inf
 
 
 @lru_cache(maxsize=64)

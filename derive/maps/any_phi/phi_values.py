@@ -17,7 +17,6 @@ from ...algebra import Coefficient
 from ...algebra.arithmetic import Arithmetic
 from ..families import alpha
 from ..order_charts import double_angle
-from ..phi_error import PhiError
 from ..polynomials import Pair
 from ..real_constants import is_small, number, plus, times
 from .edges import PHI_DIGITS
@@ -104,14 +103,19 @@ class PhiValues:
 
     def _power(self, e: sympy.Expr) -> Coefficient:
         base, exponent = e.as_base_exp()
-        if not (exponent.is_Rational and exponent.q <= 2):
-            raise PhiError(f"kernels take square roots only, not {e}")
-        root = self.at(base) if exponent.q == 1 else self.m.sqrt(self.at(base))
-        value: Coefficient = 1
-        for bit in bin(abs(int(exponent.p)))[2:]:
-            value = value if _is_one(value) else value * value
-            value = value * root if bit == "1" else value
+        value = _to_power(self._root(base, int(exponent.q)), abs(int(exponent.p)))
         return value if exponent > 0 else self.m.div(1, value)
+
+    def _root(self, base: sympy.Expr, degree: int) -> Coefficient:
+        """Return a root of a positive number: beyond degree 2 by its logarithm, with a Newton step for all digits."""
+        m, a = self.m, self.at(base)
+        if degree <= 2:
+            return a if degree == 1 else m.sqrt(a)
+        size, below = self._side(sympy.log(base))
+        larger = 1 + m.expm1(m.div(size, degree))
+        root = m.corrected(m.where(below, 1, larger) / m.where(below, larger, 1))
+        power = _to_power(root, degree - 1)
+        return root - (root - a / power) / degree
 
     def _atan(self, a: Coefficient) -> Coefficient:
         """Return the arc tangent, by ``π/2 − atan(1/a)`` beyond 1.
@@ -227,6 +231,14 @@ class _Unnamed:
 
     def __getattr__(self, operation: str) -> Any:
         return getattr(self._m, operation)
+
+
+def _to_power(base: Coefficient, exponent: int) -> Coefficient:
+    value: Coefficient = 1
+    for bit in bin(exponent)[2:]:
+        value = value if _is_one(value) else value * value
+        value = value * base if bit == "1" else value
+    return value
 
 
 def _is_one(value: Coefficient) -> bool:
