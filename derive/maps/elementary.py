@@ -29,8 +29,8 @@ def evaluate(expression: sympy.Expr, symbol: sympy.Symbol, value: Coefficient, l
     """Return the value of an elementary expression in one symbol; each part is computed once.
 
     `library` provides ``sin``, ``cos``, ``sqrt`` for the numbers, ``exp``, ``log`` for rational exponents with
-    denominators above 2, and perhaps ``constant`` for numbers such as π. Division by zero raises ZeroDivisionError for every number type. A part that is not
-    elementary, or contains another symbol, raises ValueError.
+    denominators above 2, and perhaps ``constant`` for numbers such as π. Division by zero raises ZeroDivisionError for
+    every number type. A part that is not elementary, or contains another symbol, raises ValueError.
     """
     known: list[Coefficient] = []
     for step in _steps(expression, symbol):

@@ -10,6 +10,7 @@ import random
 import sys
 import tempfile
 from collections.abc import Iterator, Mapping
+from functools import partial
 from pathlib import Path
 from timeit import repeat
 from types import ModuleType
@@ -19,6 +20,7 @@ import mpmath
 import numpy as np
 
 from .. import about
+from ..algebra import Dual
 from ..codegen.build import print_package
 from ..codegen.signatures import POSES
 from ..codegen.targets import TARGETS
@@ -30,7 +32,6 @@ from ..codegen.validation.screws import covering
 from ..codegen.validation.vectors import Vectors, flat, vectors_of
 from ..maps.chart import Chart
 from ..maps.pose import Screw, tensor_from_screw
-from ..algebra import Dual
 from ..output import files
 
 SEED, SAMPLES = 11, 4
@@ -83,9 +84,9 @@ def _times(kernels: ModuleType, function: str) -> dict[str, float]:
     for size in SIZES:
         v = kernels.random((size,) if size > 1 else (), rng=np.random.default_rng(SEED))
         given = kernels.pose(v) if function.startswith("from") else v
-        count, call = 1, getattr(kernels, function)
-        while (once := min(repeat(lambda: call(given), number=count, repeat=1))) < SECONDS:
+        count, call = 1, partial(getattr(kernels, function), given)
+        while min(repeat(call, number=count, repeat=1)) < SECONDS:
             count *= 2
-        once = min(once, *repeat(lambda: call(given), number=count, repeat=ROUNDS))
+        once = min(repeat(call, number=count, repeat=ROUNDS))
         found[str(size)] = float(f"{once / count / size * 1e9:.3g}")
     return found

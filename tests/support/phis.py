@@ -150,7 +150,8 @@ def _functions(library: Any, **others: Any) -> dict[str, Any]:
     pi = {"pi": library.pi, "number": mpmath.mpf}
     names = ("sin", "cos", "tan", "sinh", "tanh", "exp", "log", "sqrt")
     shared = {name: getattr(library, name) for name in names}
-    quotients = {"sec": lambda a: 1 / library.cos(a), "csc": lambda a: 1 / library.sin(a), "cot": lambda a: 1 / library.tan(a)}
+    quotients = {"sec": lambda a: 1 / library.cos(a), "csc": lambda a: 1 / library.sin(a)}
+    quotients["cot"] = lambda a: 1 / library.tan(a)
     return {**pi, **shared, **quotients, "cbrt": lambda a: library.exp(library.log(a) / 3), **others}
 
 

@@ -75,7 +75,7 @@ def _candidates(
 def _narrow(shared: set[str], program: Program) -> set[str]:
     """Return the largest set of shared names on which one of them depends, and of which others read few names."""
     steps = [step for step in program.steps if step.name in shared]
-    bits = {step.name: 1 << place for place, step in enumerate(steps)}
+    bits: dict[Any, int] = {step.name: 1 << place for place, step in enumerate(steps)}
     above, through, readers = dict[Any, int](), dict[Any, int](), dict[Any, int](dict.fromkeys(bits, 0))
     for statement in program.statements:
         own = bits.get(statement.name, 0) if isinstance(statement, Assignment) else 0

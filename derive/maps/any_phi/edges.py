@@ -1,7 +1,7 @@
 r"""Edge of φ, decided by interval arithmetic, and the inverse φ⁻¹ below the edge in closed form.
 
-Intervals on which φ′ is proved to be finite and positive lead from 0 to the edge. There they shrink without end, and a
-zero of φ′, or of a function whose zeros are singular points of φ, is isolated. Near a singular point c the slope is
+Intervals on which φ′ is proved to be finite and positive lead from 0 to the edge. They shrink there. A zero of φ′ or
+of a function whose zeros are singular points of φ, is then isolated. Near a singular point c the slope is
 ``φ′ = N Π d_i^(-m_i)``, with N proved to be finite and not 0. If M is the sum of all m_i with ``d_i(c) = 0``, then φ has
 a pole of order M − 1 for M > 1, a logarithmic one for M = 1, and is finite for M < 1.
 

@@ -1,4 +1,4 @@
-"""Angle of a length ``|v|`` beyond the range of `near_zero`: Newton's method from a guess, with a proved number of steps.
+"""Angle of a length ``|v|`` beyond the range of `near_zero`, by a proved number of Newton's steps from a guess.
 
 A guess is φ⁻¹ in closed form, a fitted polynomial, or the middle of a bracket after a proved number of halvings. Let e
 bound the error of a guess on an interval of angles. If ``K = max |φ″|/(2 min φ′)`` on this interval widened by e, the
@@ -8,6 +8,7 @@ steps and halvings. A φ for which no number is proved is refused.
 
 from __future__ import annotations
 
+import itertools
 import math
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterator, Sequence
@@ -91,8 +92,8 @@ class Closed(Guess):
 class Variable:
     """Variable z of a fit, for an angle close to a polynomial ``G(z)``, or to ``edge − z G(z)``.
 
-    The function ``of`` returns z at x and ``r = √x``, ``back`` returns x from z, and ``rise`` dz/dr from r and z, also of
-    intervals. The flag ``from_edge`` selects ``edge − z G(z)``.
+    The function ``of`` returns z at x and ``r = √x``, and ``back`` returns x from z. The function ``rise`` returns
+    dz/dr from r and z, also of intervals. The flag ``from_edge`` selects ``edge − z G(z)``.
     """
 
     name: str
@@ -147,7 +148,7 @@ class Fitted(Guess):
     def error(self, at: Intervals, low: Any, high: Any) -> Any:
         """Return a bound of the error: of the guess at the middle, and by the mean value theorem beside it."""
         middle, whole = (low + high) / 2, at.interval(low, high)
-        (r, z), *ends = (self._known(angle) for angle in (middle, low, high))
+        (_, z), *ends = ((r, self.variable.of(r * r, r, PLAIN)) for r in map(self._length, (middle, low, high)))
         off = max(abs(end - z) for _, end in ends)
         g, steep, bend = self._guess(z, off)
         slope = at.interval(steep - off * bend, steep + off * bend)
@@ -155,10 +156,8 @@ class Fitted(Guess):
         drift = at.size(rates * at.enclosure(_derivatives(self.phi)[0], whole) - 1)[1]
         return abs(g - middle) + (high - low) / 2 * drift
 
-    @lru_cache(maxsize=4096)
-    def _known(self, angle: Any) -> tuple[Any, Any]:
-        r = real_value(self.phi, angle, self.phi)
-        return r, self.variable.of(r * r, r, PLAIN)
+    def _length(self, angle: Any) -> Any:
+        return real_value(self.phi, angle, self.phi)
 
     def _guess(self, z: Any, off: Any) -> tuple[Any, Any, Any]:
         """Return the guess at z, its derivative there, and a bound of its second derivative not further than off."""
@@ -221,9 +220,9 @@ class Halved(Guess):
 def guess(phi: sympy.Expr, edge: Edge, limit: Fraction) -> Guess:
     """Return the first guess for x beyond a limit; `PhiError` if no guess is proved to lead to the root."""
     if edge.kind == "pole" and not edge.order:
-        raise PhiError(f"phi = {phi} grows like a logarithm near its edge {edge.angle}, where floats lose the angle")
+        raise PhiError(f"phi = {phi} grows like a logarithm near its edge {edge.angle}: floats lose the angle there")
     if edge.kind == "fold" and edge.order > 1:
-        raise PhiError(f"phi = {phi} has a slope with a double zero at its edge {edge.angle}, where floats lose the angle")
+        raise PhiError(f"phi' of phi = {phi} has a double zero at its edge {edge.angle}: floats lose the angle there")
     with precise() as at:
         end, start = mpmath.mpf(edge.angle.evalf(mpmath.mp.dps)), mpmath.mpf(limit.numerator) / limit.denominator
         first = angle_of(phi, edge.angle, mpmath.sqrt(start)) * mpmath.mpf("0.98")
@@ -309,7 +308,7 @@ def _parts(edge: Edge, first: Any, end: Any) -> list[tuple[Any, Any]]:
         ends = [first + (end - first) * k / PARTS for k in range(PARTS + 1)]
     else:
         ends = [end - (end - first) * mpmath.mpf(2) ** (-k / 4) for k in range(4 * DIGITS_LEFT[edge.kind])]
-    return list(zip(ends, ends[1:], strict=False))
+    return list(itertools.pairwise(ends))
 
 
 def _needed(at: Intervals, edge: Edge, found: Guess, low: Any, high: Any, least: int) -> int | None:
@@ -356,7 +355,7 @@ def _ratio(at: Intervals, f: sympy.Expr, around: Any) -> Any:
 
 
 def _bounded(at: Intervals, bend: sympy.Expr, around: Any, width: Any) -> Any:
-    """Return a bound of the same ratio from that of ``f″/f′``: on a width w, f′ changes by a factor of at most e^(w b)."""
+    """Return a bound of the same ratio from a bound b of ``f″/f′``: f′ changes by at most ``e^(w b)`` on a width w."""
     try:
         most = at.size(at.enclosure(bend, around))[1]
         return most / 2 * mpmath.exp(width * most)

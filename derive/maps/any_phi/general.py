@@ -198,7 +198,8 @@ class General(AngleChart):
         """Raise `PhiError` if kernels cannot compute the chart to full precision."""
         try:
             if float(self.edge) < math.pi:
-                reason = f"ends at alpha = {self.edge if self.edge.has(sympy.pi) else self.edge.evalf(8)}, and poses that turn further, up to pi, have no v"
+                end = self.edge if self.edge.has(sympy.pi) else self.edge.evalf(8)
+                reason = f"ends at alpha = {end}, and poses that turn further, up to pi, have no v"
                 raise PhiError(f"phi = {self.phi} {reason}")
             require_digits(self.expression, self._edge, self.inverse(mpmath.sqrt(float(self.near.limit))))
             _ = self.far

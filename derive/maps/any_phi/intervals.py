@@ -1,7 +1,7 @@
 """Interval arithmetic: enclosures of an expression in α on real intervals and on complex rectangles.
 
-The balls of python-flint are used if it is installed, otherwise the intervals of mpmath, which are slower. Where a value
-may be undefined, or may touch a pole or a branch cut, `Undecided` is raised; a smaller interval may have an enclosure.
+The balls of python-flint are used if it is installed, otherwise the intervals of mpmath, which are slower. `Undecided`
+is raised where a value may be undefined, or may touch a pole or a branch cut; a smaller interval may be decided.
 """
 
 from __future__ import annotations
@@ -92,7 +92,7 @@ class Balls(Intervals):
 
     def __init__(self) -> None:
         flint: Any = importlib.import_module("flint")
-        self.context, self._arb, self.rectangle = flint.ctx, flint.arb, flint.acb
+        self.context, self._arb, self._acb = flint.ctx, flint.arb, flint.acb
         entire = {name: _method(name) for name in WITHOUT_CUTS} | {"constant": self._constant}
         cut = _with_cuts(lambda a: a.log(analytic=True), lambda a: a.sqrt(analytic=True), flint.acb(0, 1))
         self.complex = SimpleNamespace(**entire, **cut)
@@ -104,6 +104,9 @@ class Balls(Intervals):
         middle = a.mid()
         beside, half = a - middle, ((a - middle) / 2).sin()
         return middle.sin() * (1 - 2 * half * half) + middle.cos() * beside.sin()
+
+    def rectangle(self, re: Any, im: Any) -> Any:
+        return self._acb(re, im)
 
     def interval(self, low: Any, high: Any) -> Any:
         return self._arb(low).union(self._arb(high))

@@ -45,6 +45,10 @@ ARCS = 128
 NEEDED = f"phi/alpha needs a positive real part on a circle |alpha| = R in the complex plane, R >= {RADII[-1]}"
 
 
+class UnitError(PhiError):
+    """Error for a φ whose values near 0 are too small or too large for fractions of small integers."""
+
+
 @dataclass(frozen=True)
 class Ratio:
     """Polynomials for a(x) and three derivatives, below a limit of x."""
@@ -62,7 +66,7 @@ def ratio(phi: sympy.Expr, edge: Edge) -> Ratio:
             return _ratio(phi, edge, NEAR_ANGLE / share)
         except PhiError as error:
             refused.append(error)
-    raise refused[0]
+    raise min(refused, key=lambda error: isinstance(error, UnitError))
 
 
 def _ratio(phi: sympy.Expr, edge: Edge, near: Any) -> Ratio:
@@ -90,7 +94,7 @@ def _ratio(phi: sympy.Expr, edge: Edge, near: Any) -> Ratio:
 def _rounded_down(phi: sympy.Expr, size: Any) -> Fraction:
     if not LIMIT_RANGE[0] < size < LIMIT_RANGE[1]:
         few = "small" if size < 1 else "large"
-        raise PhiError(f"phi = {phi} is too {few} near 0, {mpmath.nstr(mpmath.sqrt(size), 3)}: take a multiple of it")
+        raise UnitError(f"phi = {phi} is too {few} near 0, {mpmath.nstr(mpmath.sqrt(size), 3)}: take a multiple of it")
     denominator = max(64, 2 ** int(mpmath.ceil(mpmath.log(4 / size, 2))))
     return Fraction(int(size * denominator), denominator)
 

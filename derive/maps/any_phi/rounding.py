@@ -1,7 +1,7 @@
 r"""Digits that floats lose in φ and φ′, bounded by interval arithmetic.
 
-Let u be the rounding error of one operation. A bound ``N(e) u`` of the error of an expression e follows from its parts:
-each function adds ``|f'(e)| N(e)``, each factor the other factors times its N, and each operation the size of its result.
+Let u be the rounding error of one operation. A bound ``N(e) u`` of the error of an expression e follows from its parts.
+Each function adds ``|f'(e)| N(e)``, each factor the other factors times its N, each operation the size of its result.
 An angle α has the error ``α u`` of its own, and a length r that of r. The error of φ is harmless if it is not much
 greater than ``(r + α φ′) u``, the effect of both.
 """
@@ -41,9 +41,10 @@ def require_digits(phi: sympy.Expr, edge: Edge, first: Any) -> None:
                     raise PhiError(f"{near}: an angle would lose more than {LOST_MAX.bit_length() - 1} bits")
                 pending += [(low, width / 2, depth + 1), (low + width / 2, width / 2, depth + 1)]
         for angle in edge.flat[:1]:
-            lost = noise(at, slope, at.interval(angle, angle)) / at.size(at.enclosure(slope, at.interval(angle, angle)))[0]
-            if lost > 2**FLAT_BITS_MAX:
-                least = f"phi' of phi = {phi} falls to {mpmath.nstr(mpmath.mpf(slope.subs(alpha, angle)), 3)}"
+            there = at.interval(angle, angle)
+            size = at.size(at.enclosure(slope, there))[0]
+            if noise(at, slope, there) > 2**FLAT_BITS_MAX * size:
+                least = f"phi' of phi = {phi} falls to {mpmath.nstr(size, 3)}"
                 raise PhiError(f"{least} at alpha = {mpmath.nstr(angle, 6)}: 1/phi' would lose half of its digits")
 
 
