@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import itertools
 from collections import Counter
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import replace
 from functools import reduce
 from operator import or_
@@ -29,8 +29,8 @@ def with_helpers(programs: Mapping[str, Program]) -> tuple[dict[str, Program], d
     helpers = dict[str, Program]()
     found = {name: _with_inline_zero(program) for name, program in programs.items()}
     for back in (False, True):
-        while candidates := list(_candidates(_with_room(found, programs), {*programs, *helpers}, back)):
-            _, helper, group, shared = max(candidates, key=lambda made: made[0])
+        while best := _best(_with_room(found, programs), {*programs, *helpers}, back):
+            helper, group, shared = best
             helpers[helper.name] = helper
             found |= {key: _caller(found[key], helper, shared) for key in group}
     return helpers, found
@@ -50,26 +50,43 @@ def _with_inline_zero(program: Program) -> Program:
     return replace(program, statements=tuple(once.get(statement, statement) for statement in program.statements))
 
 
-def _candidates(
+def _best(
     programs: Mapping[str, Program], taken: set[str], back: bool
-) -> Iterator[tuple[int, Program, Sequence[str], set[str]]]:
-    """Yield the saved lines, helper, callers and shared names for each set of programs that share a step."""
-    written = {key: _written_out(program) for key, program in programs.items()}
-    steps = dict.fromkeys(step for found in written.values() for step in found.items())
-    groups = dict.fromkeys(tuple(key for key, found in written.items() if step in found.items()) for step in steps)
-    for group in groups:
-        callers = [programs[key] for key in group]
-        common = set.intersection(*({*written[key].items()} for key in group))
-        shared = _closed_in_all({letter for letter, _ in common}, callers, back)
-        for narrowed in (False, True):
-            shared = _closed_in_all(_narrow(shared, callers[0]), callers, back) if narrowed else shared
-            saved = (len(group) - 1) * len(shared) - len(group) - HEAD
-            if saved < LEAST_SAVING:
-                break
-            helper = _helper(taken, callers[0], shared, callers)
-            if max(len(helper.inputs), len(helper.outputs)) <= MOST_PASSED:
-                yield saved, helper, group, shared
-                break
+) -> tuple[Program, Sequence[str], set[str]] | None:
+    """Return the helper that saves most lines, its callers and the names that it holds; None if none saves enough."""
+    written = {key: {*_written_out(program).items()} for key, program in programs.items()}
+    steps = dict.fromkeys(step for program in programs.values() for step in _written_out(program).items())
+    groups = dict.fromkeys(tuple(key for key, found in written.items() if step in found) for step in steps)
+    common = [set.intersection(*(written[key] for key in group)) for group in groups]
+    saved = [(_saving(group, shared), place) for place, (group, shared) in enumerate(zip(groups, common, strict=True))]
+    best, found, listed = (LEAST_SAVING - 1, 0), None, list(groups)
+    for most, place in sorted(saved, key=lambda one: (-one[0], one[1])):
+        if most < max(best[0], LEAST_SAVING):
+            break
+        group = listed[place]
+        helper, shared = _helper_of(group, {letter for letter, _ in common[place]}, programs, taken, back)
+        if helper and (_saving(group, shared), -place) > best:
+            best, found = (_saving(group, shared), -place), (helper, group, shared)
+    return found
+
+
+def _saving(group: Sequence[str], shared: Collection[Any]) -> int:
+    return (len(group) - 1) * len(shared) - len(group) - HEAD
+
+
+def _helper_of(
+    group: Sequence[str], shared: set[str], programs: Mapping[str, Program], taken: set[str], back: bool
+) -> tuple[Program | None, set[str]]:
+    """Return a helper for a group of programs and its names; they are narrowed if too many values would be passed."""
+    callers = [programs[key] for key in group]
+    for narrowed in (False, True):
+        shared = _closed_in_all(_narrow(shared, callers[0]) if narrowed else shared, callers, back)
+        if _saving(group, shared) < LEAST_SAVING:
+            break
+        helper = _helper(taken, callers[0], shared, callers)
+        if max(len(helper.inputs), len(helper.outputs)) <= MOST_PASSED:
+            return helper, shared
+    return None, shared
 
 
 def _narrow(shared: set[str], program: Program) -> set[str]:

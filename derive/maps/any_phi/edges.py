@@ -1,9 +1,9 @@
 r"""Edge of φ, decided by interval arithmetic, and the inverse φ⁻¹ below the edge in closed form.
 
-Intervals on which φ′ is proved to be finite and positive lead from 0 to the edge. They shrink there. A zero of φ′ or
-of a function whose zeros are singular points of φ, is then isolated. Near a singular point c the slope is
-``φ′ = N Π d_i^(-m_i)``, with N proved to be finite and not 0. If M is the sum of all m_i with ``d_i(c) = 0``, then φ has
-a pole of order M − 1 for M > 1, a logarithmic one for M = 1, and is finite for M < 1.
+Intervals on which φ′ is proved to be finite and positive lead from 0 to the edge. They shrink there. Then a zero of φ′
+is isolated, or of a function whose zeros are singular points of φ. Near a singular point c, ``φ′ = N Π d_i^(-m_i)``
+with N proved to be finite and not 0. Let M be the sum of all m_i with ``d_i(c) = 0``. For M > 1, φ has a pole of
+order M − 1, for M = 1 a logarithmic one, and for M < 1 it is finite.
 
 A closed inverse exists for compositions of invertible functions, and where φ² is a quotient of quadratics in α²:
 
