@@ -11,5 +11,6 @@ beyond                    A proved number of Newton's steps finds the angle from
 ========================  ==========================================================================================
 
 In the order of their use: `grammar`, `expressions`, `intervals`, `edges`, `near_zero`, `rounding`, `first_guess`,
-`phi_values`, `general`, `parameterization`. Other rooms import the last one alone. This file imports nothing: `grammar` works without SymPy.
+`phi_values`, `general`, `parameterization`. Other rooms import the last one alone. This file imports nothing: `grammar`
+works without SymPy.
 """
