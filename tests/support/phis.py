@@ -157,4 +157,5 @@ def _functions(library: Any, **others: Any) -> dict[str, Any]:
 
 ARCS = ("asin", "atan", "asinh", "atanh")
 ARRAYS = _functions(np, **{name: getattr(np, f"arc{name[1:]}") for name in ARCS})
+ARRAYS["asin"] = lambda a: np.arcsin(a.real) + 1j * a.imag / np.sqrt(1 - a.real**2)  # NumPy's loses a complex step
 NUMBERS = _functions(mpmath, **{name: getattr(mpmath, name) for name in ARCS})
