@@ -16,11 +16,11 @@ import mpmath
 import numpy as np
 
 SEED = 43
-DIGITS = 60
+DIGITS = 130
 POINTS = 40_000
 CUT = 4 * math.pi
 STEP = 1e-60
-"""Complex step of slopes."""
+"""Complex step of slopes; functions of complex numbers keep its digits in twice as many."""
 REAL = 1e20
 """Largest slope; a greater one is that of a number that is not real."""
 DEEP = 0.05
