@@ -38,7 +38,7 @@ STEP = mpmath.mpf(1) / 8
 """Largest width of an interval, in rad."""
 LEAST_STEP, WINDOW = mpmath.ldexp(1, -70), mpmath.ldexp(1, -50)
 """Width below which a point is taken for an edge, and the range beyond it where the edge is looked for."""
-CELLS_MAX = 20_000
+CELLS_MAX = 12_000
 """Largest number of intervals; a φ that needs more is refused."""
 BESIDE = mpmath.ldexp(1, -190)
 """Distance from a singular point up to which statements are proved."""
