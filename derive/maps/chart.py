@@ -129,6 +129,11 @@ class Chart(Typeset, ABC):
         return 0.0
 
     @property
+    def steep(self) -> tuple[Any, ...]:
+        """Angles below the edge, as mpmath numbers, near which the inverse of φ is hardest to find; often none."""
+        return ()
+
+    @property
     def letters(self) -> Sequence[tuple[str, sympy.Expr]]:
         """Letters in the formulas and the functions of x for which they stand, such as p_n and q_n."""
         return ()
@@ -142,6 +147,9 @@ class Chart(Typeset, ABC):
     def parameter(self) -> str:
         """Text of φ(α), such as ``tan(α/6)``."""
         return str(self.phi).replace("alpha", "α").replace("**", "^").replace("*", " ")
+
+    def require_kernels(self) -> None:
+        """Raise `PhiError` if kernels cannot compute the chart."""
 
     # --- scalars and inverse maps ---------------------------------------------------------------------------------
 

@@ -1146,8 +1146,8 @@ def exponential_scalars(m: Any, delta: Components) -> Result:
     v33 = d3 * d3
     part = v11 + v22
     x = part + v33
-    within = x < 6
-    z = m.where(within, x, x - x) / 4
+    nearby = x < 6
+    z = m.where(nearby, x, x - x) / 4
     C7 = (
         (72 - z * ((3603600 - z * (32760 - z * (210 - z * ((93024 - z * (342 - z * ((212520 - z * (506 - z)) / 212520)))
         / 93024)))) / 3603600)) / 72 / 5040
@@ -1157,13 +1157,13 @@ def exponential_scalars(m: Any, delta: Components) -> Result:
     C1 = 1 - z * C3
     CC1 = C1 * C1
     C0 = m.sqrt(1 - z * CC1)
-    xx = m.where(within, 6 + x, x)
+    xx = m.where(nearby, 6 + x, x)
     alpha = m.sqrt(xx)
     t = m.tan(alpha / 4)
     tt = t * t
     below = 1 + tt
-    s = m.where(within, C0, (1 - tt) / below)
-    w = m.where(within, C1 / 2, 2 * t / below / alpha)
+    s = m.where(nearby, C0, (1 - tt) / below)
+    w = m.where(nearby, C1 / 2, 2 * t / below / alpha)
     thalf = m.tan(alpha / 2)
     tthalf = thalf * thalf
     belowhalf = 1 + tthalf
@@ -1177,18 +1177,18 @@ def exponential_scalars(m: Any, delta: Components) -> Result:
         - v33_in)))
     )
     lost = m.where(alpha < 8, left, 0) / (2 * alpha)
-    f = m.where(within, C0 * C1, (sine + lost * (1 - versine)) / alpha)
-    g = m.where(within, CC1 / 2, (versine + lost * sine) / xx)
+    f = m.where(nearby, C0 * C1, (sine + lost * (1 - versine)) / alpha)
+    g = m.where(nearby, CC1 / 2, (versine + lost * sine) / xx)
     C01 = 1 + C0
     C2 = CC1 / C01
-    h = m.where(within, (C3 + C1 * C2) / 4, (1 - f) / xx)
+    h = m.where(nearby, (C3 + C1 * C2) / 4, (1 - f) / xx)
     fy = h - g
     gy = f * h - g * g
     CC3 = C3 * C3
     C4 = (4 * C3 - C2 - 2 * (z * CC3)) / (2 * C01)
     c5 = (C5 + C4 + C2 * C3) / 16
     c4 = C3 * (1 + C1) / 8
-    hy = m.where(within, 3 * c5 - c4, (g - 3 * h) / xx)
+    hy = m.where(nearby, 3 * c5 - c4, (g - 3 * h) / xx)
     return s, w, f, g, h, fy, gy, hy
 
 
@@ -1347,8 +1347,8 @@ def logarithm(m: Any, e: Components, size: Any, rho: Components) -> Result:
     part = v11 + v22
     x = part + v33
     fe = factor * e0
-    within = x < 6
-    z = m.where(within, x, x - x) / 4
+    nearby = x < 6
+    z = m.where(nearby, x, x - x) / 4
     C7 = (
         (72 - z * ((3603600 - z * (32760 - z * (210 - z * ((93024 - z * (342 - z * ((212520 - z * (506 - z)) / 212520)))
         / 93024)))) / 3603600)) / 72 / 5040
@@ -1357,7 +1357,7 @@ def logarithm(m: Any, e: Components, size: Any, rho: Components) -> Result:
     C3 = (1 - 6 * (z * C5)) / 6
     C1 = 1 - z * C3
     CC1 = C1 * C1
-    xx = m.where(within, 6 + x, x)
+    xx = m.where(nearby, 6 + x, x)
     alpha = m.sqrt(xx)
     thalf = m.tan(alpha / 2)
     tthalf = thalf * thalf
@@ -1372,18 +1372,18 @@ def logarithm(m: Any, e: Components, size: Any, rho: Components) -> Result:
         - v33_in)))
     )
     lost = left / (2 * alpha)
-    g = m.where(within, CC1 / 2, (versine + lost * sine) / xx)
+    g = m.where(nearby, CC1 / 2, (versine + lost * sine) / xx)
     C0 = m.sqrt(1 - z * CC1)
     t = m.tan(alpha / 4)
     tt = t * t
     below = 1 + tt
-    s = m.where(within, C0, (1 - tt) / below)
-    w = m.where(within, C1 / 2, 2 * t / below / alpha)
+    s = m.where(nearby, C0, (1 - tt) / below)
+    w = m.where(nearby, C1 / 2, 2 * t / below / alpha)
     fi = s / w
     C01 = 1 + C0
     C2 = CC1 / C01
-    f = m.where(within, C0 * C1, (sine + lost * (1 - versine)) / alpha)
-    h = m.where(within, (C3 + C1 * C2) / 4, (1 - f) / xx)
+    f = m.where(nearby, C0 * C1, (sine + lost * (1 - versine)) / alpha)
+    h = m.where(nearby, (C3 + C1 * C2) / 4, (1 - f) / xx)
     hi = g - fi * h
     shift1 = rho1 / 2
     shift2 = rho2 / 2

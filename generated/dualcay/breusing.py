@@ -365,7 +365,7 @@ CHART = Chart(
         _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="3e2e0143f065ac18",
+    programs="267d9d379c62c10f",
 )
 
 KERNELS = PoseKernels(CHART)

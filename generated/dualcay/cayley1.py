@@ -202,7 +202,7 @@ CHART = Chart(
         _unfolded, _reached, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="f5f53f33f03d0add",
+    programs="c459c4bb4612901b",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -333,7 +333,7 @@ CHART = Chart(
         _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="bc467eeb75b375f3",
+    programs="657bddce8ee645f3",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -356,7 +356,7 @@ CHART = Chart(
         _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="cbee35a0bc806bf3",
+    programs="80ca370a20bf4236",
 )
 
 KERNELS = PoseKernels(CHART)

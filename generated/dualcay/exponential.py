@@ -37,9 +37,9 @@ ORDER = 1
 
 
 # steps that 12 programs share
-def _within_to_alpha(m: Any, x: Any) -> Result:
-    within = x < 6
-    z = m.where(within, x, x - x) / 4
+def _nearby_to_alpha(m: Any, x: Any) -> Result:
+    nearby = x < 6
+    z = m.where(nearby, x, x - x) / 4
     C7 = (
         (72 - z * ((3603600 - z * (32760 - z * (210 - z * ((93024 - z * (342 - z * ((212520 - z * (506 - z)) / 212520)))
         / 93024)))) / 3603600)) / 72 / 5040
@@ -49,13 +49,13 @@ def _within_to_alpha(m: Any, x: Any) -> Result:
     C1 = 1 - z * C3
     CC1 = C1 * C1
     C0 = m.sqrt(1 - z * CC1)
-    xx = m.where(within, 6 + x, x)
+    xx = m.where(nearby, 6 + x, x)
     alpha = m.sqrt(xx)
-    return within, z, C7, C5, C3, C1, CC1, C0, xx, alpha
+    return nearby, z, C7, C5, C3, C1, CC1, C0, xx, alpha
 
 
 # steps that 7 programs share
-def _C01_to_h(m: Any, C0: Any, CC1: Any, C1: Any, C3: Any, alpha: Any, xx: Any, within: Any) -> Result:
+def _C01_to_h(m: Any, C0: Any, CC1: Any, C1: Any, C3: Any, alpha: Any, xx: Any, nearby: Any) -> Result:
     C01 = 1 + C0
     C2 = CC1 / C01
     thalf = m.tan(alpha / 2)
@@ -66,23 +66,23 @@ def _C01_to_h(m: Any, C0: Any, CC1: Any, C1: Any, C3: Any, alpha: Any, xx: Any, 
     beside = alpha - 4
     left = xx - 16 - 8 * beside - beside * beside
     lost = m.where(alpha < 8, left, 0) / (2 * alpha)
-    f = m.where(within, C0 * C1, (sine + lost * (1 - versine)) / alpha)
-    h = m.where(within, (C3 + C1 * C2) / 4, (1 - f) / xx)
+    f = m.where(nearby, C0 * C1, (sine + lost * (1 - versine)) / alpha)
+    h = m.where(nearby, (C3 + C1 * C2) / 4, (1 - f) / xx)
     return C01, C2, sine, versine, lost, f, h
 
 
 # steps that 6 programs share
-def _s_and_w(m: Any, alpha: Any, within: Any, C0: Any, C1: Any) -> Result:
+def _s_and_w(m: Any, alpha: Any, nearby: Any, C0: Any, C1: Any) -> Result:
     t = m.tan(alpha / 4)
     tt = t * t
     below = 1 + tt
-    s = m.where(within, C0, (1 - tt) / below)
-    w = m.where(within, C1 / 2, 2 * t / below / alpha)
+    s = m.where(nearby, C0, (1 - tt) / below)
+    w = m.where(nearby, C1 / 2, 2 * t / below / alpha)
     return s, w
 
 
 # steps that 3 programs share
-def _f_to_h(m: Any, C0: Any, C1: Any, alpha: Any, xx: Any, x: Any, part: Any, v11: Any, v22: Any, v33: Any, within: Any, CC1: Any, C3: Any) -> Result:
+def _f_to_h(m: Any, C0: Any, C1: Any, alpha: Any, xx: Any, x: Any, part: Any, v11: Any, v22: Any, v33: Any, nearby: Any, CC1: Any, C3: Any) -> Result:
     thalf = m.tan(alpha / 2)
     tthalf = thalf * thalf
     belowhalf = 1 + tthalf
@@ -96,24 +96,24 @@ def _f_to_h(m: Any, C0: Any, C1: Any, alpha: Any, xx: Any, x: Any, part: Any, v1
         - v33_in)))
     )
     lost = m.where(alpha < 8, left, 0) / (2 * alpha)
-    f = m.where(within, C0 * C1, (sine + lost * (1 - versine)) / alpha)
-    g = m.where(within, CC1 / 2, (versine + lost * sine) / xx)
+    f = m.where(nearby, C0 * C1, (sine + lost * (1 - versine)) / alpha)
+    g = m.where(nearby, CC1 / 2, (versine + lost * sine) / xx)
     C01 = 1 + C0
     C2 = CC1 / C01
-    h = m.where(within, (C3 + C1 * C2) / 4, (1 - f) / xx)
+    h = m.where(nearby, (C3 + C1 * C2) / 4, (1 - f) / xx)
     return f, g, C01, C2, h
 
 
 # unit quaternion q = s + w v; slopes sy = 2 ds/dx, wy = 2 dw/dx
 def _quaternion_scalars(m: Any, x: Any) -> Result:
-    within, _, _, _, C3, C1, CC1, C0, xx, alpha = _within_to_alpha(m, x)
+    nearby, _, _, _, C3, C1, CC1, C0, xx, alpha = _nearby_to_alpha(m, x)
     t = m.tan(alpha / 4)
     tt = t * t
     below = 1 + tt
-    s = m.where(within, C0, (1 - tt) / below)
-    w = m.where(within, C1 / 2, 2 * t / below / alpha)
+    s = m.where(nearby, C0, (1 - tt) / below)
+    w = m.where(nearby, C1 / 2, 2 * t / below / alpha)
     sy = -(w / 2)
-    _, _, _, _, _, _, h = _C01_to_h(m, C0, CC1, C1, C3, alpha, xx, within)
+    _, _, _, _, _, _, h = _C01_to_h(m, C0, CC1, C1, C3, alpha, xx, nearby)
     ww = w * w
     wy = s * h / 2 - w * ww
     return s, w, sy, wy
@@ -123,8 +123,8 @@ def _quaternion_scalars(m: Any, x: Any) -> Result:
 def _pose_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     part = v11 + v22
     x = part + v33
-    within, _, _, _, C3, C1, CC1, C0, xx, alpha = _within_to_alpha(m, x)
-    f, g, _, _, h = _f_to_h(m, C0, C1, alpha, xx, x, part, v11, v22, v33, within, CC1, C3)
+    nearby, _, _, _, C3, C1, CC1, C0, xx, alpha = _nearby_to_alpha(m, x)
+    f, g, _, _, h = _f_to_h(m, C0, C1, alpha, xx, x, part, v11, v22, v33, nearby, CC1, C3)
     return f, g, h
 
 
@@ -132,15 +132,15 @@ def _pose_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
 def _tangent_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     part = v11 + v22
     x = part + v33
-    within, z, _, C5, C3, C1, CC1, C0, xx, alpha = _within_to_alpha(m, x)
-    f, g, C01, C2, h = _f_to_h(m, C0, C1, alpha, xx, x, part, v11, v22, v33, within, CC1, C3)
+    nearby, z, _, C5, C3, C1, CC1, C0, xx, alpha = _nearby_to_alpha(m, x)
+    f, g, C01, C2, h = _f_to_h(m, C0, C1, alpha, xx, x, part, v11, v22, v33, nearby, CC1, C3)
     fy = h - g
     gy = f * h - g * g
     CC3 = C3 * C3
     C4 = (4 * C3 - C2 - 2 * (z * CC3)) / (2 * C01)
     c5 = (C5 + C4 + C2 * C3) / 16
     c4 = C3 * (1 + C1) / 8
-    hy = m.where(within, 3 * c5 - c4, (g - 3 * h) / xx)
+    hy = m.where(nearby, 3 * c5 - c4, (g - 3 * h) / xx)
     return f, g, h, fy, gy, hy
 
 
@@ -148,20 +148,20 @@ def _tangent_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
 def _tangent_dot_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     part = v11 + v22
     x = part + v33
-    within, z, C7, C5, C3, C1, CC1, C0, xx, alpha = _within_to_alpha(m, x)
-    f, g, C01, C2, h = _f_to_h(m, C0, C1, alpha, xx, x, part, v11, v22, v33, within, CC1, C3)
+    nearby, z, C7, C5, C3, C1, CC1, C0, xx, alpha = _nearby_to_alpha(m, x)
+    f, g, C01, C2, h = _f_to_h(m, C0, C1, alpha, xx, x, part, v11, v22, v33, nearby, CC1, C3)
     fy = h - g
     gy = f * h - g * g
     CC3 = C3 * C3
     C4 = (4 * C3 - C2 - 2 * (z * CC3)) / (2 * C01)
     c5 = (C5 + C4 + C2 * C3) / 16
     c4 = C3 * (1 + C1) / 8
-    hy = m.where(within, 3 * c5 - c4, (g - 3 * h) / xx)
+    hy = m.where(nearby, 3 * c5 - c4, (g - 3 * h) / xx)
     fyy = hy - gy
     gyy = fy * h + f * hy - 2 * (g * gy)
     C6 = (4 * C5 + 2 * CC3 - C4 - 2 * (C2 * C4)) / 4
     c6 = (2 * C5 + CC3) / 32
-    hyy = m.where(within, 15 * ((C7 + C6 + C3 * C4 + C5 / 2) / 64) - 7 * c6 + c5, (gy - 5 * hy) / xx)
+    hyy = m.where(nearby, 15 * ((C7 + C6 + C3 * C4 + C5 / 2) / 64) - 7 * c6 + c5, (gy - 5 * hy) / xx)
     return f, g, h, fy, gy, hy, fyy, gyy, hyy
 
 
@@ -172,14 +172,14 @@ def _rate_scalars(m: Any, x: Any) -> Result:
 
 # T^-1 = (fi I - skew(v) + hi v(x)v)/2
 def _inverse_scalars(m: Any, x: Any, fe: Any) -> Result:
-    within, _, _, _, C3, C1, CC1, C0, xx, alpha = _within_to_alpha(m, x)
-    _, _, sine, versine, lost, _, h = _C01_to_h(m, C0, CC1, C1, C3, alpha, xx, within)
-    g = m.where(within, CC1 / 2, (versine + lost * sine) / xx)
+    nearby, _, _, _, C3, C1, CC1, C0, xx, alpha = _nearby_to_alpha(m, x)
+    _, _, sine, versine, lost, _, h = _C01_to_h(m, C0, CC1, C1, C3, alpha, xx, nearby)
+    g = m.where(nearby, CC1 / 2, (versine + lost * sine) / xx)
     t = m.tan(alpha / 4)
     tt = t * t
     below = 1 + tt
-    s = m.where(within, C0, (1 - tt) / below)
-    w = m.where(within, C1 / 2, 2 * t / below / alpha)
+    s = m.where(nearby, C0, (1 - tt) / below)
+    w = m.where(nearby, C1 / 2, 2 * t / below / alpha)
     fi = s / w
     hi = g - fi * h
     return fe, hi
@@ -187,18 +187,18 @@ def _inverse_scalars(m: Any, x: Any, fe: Any) -> Result:
 
 # hi of T^-1 at a known angle
 def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
-    within, _, _, _, C3, C1, CC1, C0, xx, alpha = _within_to_alpha(m, x)
-    _, _, sine, versine, lost, _, h = _C01_to_h(m, C0, CC1, C1, C3, alpha, xx, within)
-    g = m.where(within, CC1 / 2, (versine + lost * sine) / xx)
+    nearby, _, _, _, C3, C1, CC1, C0, xx, alpha = _nearby_to_alpha(m, x)
+    _, _, sine, versine, lost, _, h = _C01_to_h(m, C0, CC1, C1, C3, alpha, xx, nearby)
+    g = m.where(nearby, CC1 / 2, (versine + lost * sine) / xx)
     hi = g - fe * h
     return hi,
 
 
 # fi, hi of T^-1 at a known angle, with slopes fiy = 2 dfi/dx, hiy
 def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
-    within, z, _, C5, C3, C1, CC1, C0, xx, alpha = _within_to_alpha(m, x)
-    C01, C2, sine, versine, lost, f, h = _C01_to_h(m, C0, CC1, C1, C3, alpha, xx, within)
-    g = m.where(within, CC1 / 2, (versine + lost * sine) / xx)
+    nearby, z, _, C5, C3, C1, CC1, C0, xx, alpha = _nearby_to_alpha(m, x)
+    C01, C2, sine, versine, lost, f, h = _C01_to_h(m, C0, CC1, C1, C3, alpha, xx, nearby)
+    g = m.where(nearby, CC1 / 2, (versine + lost * sine) / xx)
     hi = g - fe * h
     fiy = -(h / g)
     gy = f * h - g * g
@@ -206,18 +206,18 @@ def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     C4 = (4 * C3 - C2 - 2 * (z * CC3)) / (2 * C01)
     c5 = (C5 + C4 + C2 * C3) / 16
     c4 = C3 * (1 + C1) / 8
-    hy = m.where(within, 3 * c5 - c4, (g - 3 * h) / xx)
+    hy = m.where(nearby, 3 * c5 - c4, (g - 3 * h) / xx)
     hiy = gy - fiy * h - fe * hy
     return fe, hi, fiy, hiy
 
 
 # fi, hi of T^-1 with slopes fiy = 2 dfi/dx, hiy
 def _tangent_inv_scalars(m: Any, x: Any) -> Result:
-    within, z, _, C5, C3, C1, CC1, C0, xx, alpha = _within_to_alpha(m, x)
-    s, w = _s_and_w(m, alpha, within, C0, C1)
+    nearby, z, _, C5, C3, C1, CC1, C0, xx, alpha = _nearby_to_alpha(m, x)
+    s, w = _s_and_w(m, alpha, nearby, C0, C1)
     fi = s / w
-    C01, C2, sine, versine, lost, f, h = _C01_to_h(m, C0, CC1, C1, C3, alpha, xx, within)
-    g = m.where(within, CC1 / 2, (versine + lost * sine) / xx)
+    C01, C2, sine, versine, lost, f, h = _C01_to_h(m, C0, CC1, C1, C3, alpha, xx, nearby)
+    g = m.where(nearby, CC1 / 2, (versine + lost * sine) / xx)
     hi = g - fi * h
     fiy = -(h / g)
     gy = f * h - g * g
@@ -225,18 +225,18 @@ def _tangent_inv_scalars(m: Any, x: Any) -> Result:
     C4 = (4 * C3 - C2 - 2 * (z * CC3)) / (2 * C01)
     c5 = (C5 + C4 + C2 * C3) / 16
     c4 = C3 * (1 + C1) / 8
-    hy = m.where(within, 3 * c5 - c4, (g - 3 * h) / xx)
+    hy = m.where(nearby, 3 * c5 - c4, (g - 3 * h) / xx)
     hiy = gy - fiy * h - fi * hy
     return fi, hi, fiy, hiy
 
 
 # fi, hi of T^-1 with slopes fiy, hiy and second slopes fiyy, hiyy
 def _tangent_inv_dot_scalars(m: Any, x: Any) -> Result:
-    within, z, C7, C5, C3, C1, CC1, C0, xx, alpha = _within_to_alpha(m, x)
-    s, w = _s_and_w(m, alpha, within, C0, C1)
+    nearby, z, C7, C5, C3, C1, CC1, C0, xx, alpha = _nearby_to_alpha(m, x)
+    s, w = _s_and_w(m, alpha, nearby, C0, C1)
     fi = s / w
-    C01, C2, sine, versine, lost, f, h = _C01_to_h(m, C0, CC1, C1, C3, alpha, xx, within)
-    g = m.where(within, CC1 / 2, (versine + lost * sine) / xx)
+    C01, C2, sine, versine, lost, f, h = _C01_to_h(m, C0, CC1, C1, C3, alpha, xx, nearby)
+    g = m.where(nearby, CC1 / 2, (versine + lost * sine) / xx)
     hi = g - fi * h
     fiy = -(h / g)
     gy = f * h - g * g
@@ -244,12 +244,12 @@ def _tangent_inv_dot_scalars(m: Any, x: Any) -> Result:
     C4 = (4 * C3 - C2 - 2 * (z * CC3)) / (2 * C01)
     c5 = (C5 + C4 + C2 * C3) / 16
     c4 = C3 * (1 + C1) / 8
-    hy = m.where(within, 3 * c5 - c4, (g - 3 * h) / xx)
+    hy = m.where(nearby, 3 * c5 - c4, (g - 3 * h) / xx)
     hiy = gy - fiy * h - fi * hy
     fiyy = -((hy + fiy * gy) / g)
     C6 = (4 * C5 + 2 * CC3 - C4 - 2 * (C2 * C4)) / 4
     c6 = (2 * C5 + CC3) / 32
-    hyy = m.where(within, 15 * ((C7 + C6 + C3 * C4 + C5 / 2) / 64) - 7 * c6 + c5, (gy - 5 * hy) / xx)
+    hyy = m.where(nearby, 15 * ((C7 + C6 + C3 * C4 + C5 / 2) / 64) - 7 * c6 + c5, (gy - 5 * hy) / xx)
     fy = h - g
     gyy = fy * h + f * hy - 2 * (g * gy)
     hiyy = gyy - (fiyy * h + 2 * (fiy * hy) + fi * hyy)
@@ -258,9 +258,9 @@ def _tangent_inv_dot_scalars(m: Any, x: Any) -> Result:
 
 # a + b v = size q for the unit quaternion q, size > 0, and f, g, h of R and T
 def _ray(m: Any, x: Any) -> Result:
-    within = x < 6
+    nearby = x < 6
     zero = x - x
-    z = m.where(within, x, zero) / 4
+    z = m.where(nearby, x, zero) / 4
     C7 = (
         (72 - z * ((3603600 - z * (32760 - z * (210 - z * ((93024 - z * (342 - z * ((212520 - z * (506 - z)) / 212520)))
         / 93024)))) / 3603600)) / 72 / 5040
@@ -270,11 +270,11 @@ def _ray(m: Any, x: Any) -> Result:
     C1 = 1 - z * C3
     CC1 = C1 * C1
     C0 = m.sqrt(1 - z * CC1)
-    xx = m.where(within, 6 + x, x)
+    xx = m.where(nearby, 6 + x, x)
     alpha = m.sqrt(xx)
-    s, w = _s_and_w(m, alpha, within, C0, C1)
-    _, _, sine, versine, lost, f, h = _C01_to_h(m, C0, CC1, C1, C3, alpha, xx, within)
-    g = m.where(within, CC1 / 2, (versine + lost * sine) / xx)
+    s, w = _s_and_w(m, alpha, nearby, C0, C1)
+    _, _, sine, versine, lost, f, h = _C01_to_h(m, C0, CC1, C1, C3, alpha, xx, nearby)
+    g = m.where(nearby, CC1 / 2, (versine + lost * sine) / xx)
     one = zero + 1
     return s, w, one, f, g, h
 
@@ -298,8 +298,8 @@ def _inside(m: Any, x: Any) -> Result:
 
 # sign of the principal axis along v, from the length r of v and y, the product of v and v°
 def _direction(m: Any, x: Any, y: Any, r: Any) -> Result:
-    within, _, _, _, _, C1, _, C0, _, alpha = _within_to_alpha(m, x)
-    s, w = _s_and_w(m, alpha, within, C0, C1)
+    nearby, _, _, _, _, C1, _, C0, _, alpha = _nearby_to_alpha(m, x)
+    s, w = _s_and_w(m, alpha, nearby, C0, C1)
     kept = m.where(w < 0, 0, 64)
     turned = m.where(kept + s < kept, -w, w)
     one = s - s + 1
@@ -309,8 +309,8 @@ def _direction(m: Any, x: Any, y: Any, r: Any) -> Result:
 
 # principal angle, d alpha/d r and sign of the axis, from x, y and the length r of v
 def _natural(m: Any, x: Any, y: Any, r: Any) -> Result:
-    within, _, _, _, _, C1, _, C0, _, alpha = _within_to_alpha(m, x)
-    s, w = _s_and_w(m, alpha, within, C0, C1)
+    nearby, _, _, _, _, C1, _, C0, _, alpha = _nearby_to_alpha(m, x)
+    s, w = _s_and_w(m, alpha, nearby, C0, C1)
     kept = m.where(w < 0, 0, 64)
     turned = m.where(kept + s < kept, -w, w)
     one = s - s + 1
@@ -341,8 +341,8 @@ def _beyond(m: Any, x: Any, limit1: Any, cos1: Any, sin1: Any) -> Result:
     beyond1 = limit1 < beside1
     place = m.where(beyond1, x, beside1)
     rx = m.sqrt(place)
-    within, _, _, _, _, C1, _, C0, _, alpha = _within_to_alpha(m, x)
-    s, w = _s_and_w(m, alpha, within, C0, C1)
+    nearby, _, _, _, _, C1, _, C0, _, alpha = _nearby_to_alpha(m, x)
+    s, w = _s_and_w(m, alpha, nearby, C0, C1)
     sine = w * rx
     side = m.where(s < 0, -1, 1)
     back = -rx
@@ -380,7 +380,7 @@ CHART = Chart(
         _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="f135f3020481f876",
+    programs="1854cf83d636cc6c",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -328,7 +328,7 @@ CHART = Chart(
         _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="1afc12bcc8f0c086",
+    programs="bc57cc04ef1a83cd",
     ends=True,
 )
 

@@ -252,7 +252,7 @@ CHART = Chart(
         _unfolded, _reached, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="d6d2396f5903e1f1",
+    programs="834eadee2ed77a60",
     ends=True,
 )
 

@@ -343,7 +343,7 @@ CHART = Chart(
         _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="76129740a3c5656a",
+    programs="fe58d6ba184389e2",
     ends=True,
 )
 

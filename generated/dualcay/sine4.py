@@ -351,7 +351,7 @@ CHART = Chart(
         _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="79cf6e35128031bc",
+    programs="b56568daffa55b8f",
     ends=True,
 )
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any
@@ -12,7 +11,6 @@ import sympy
 from ...algebra import Quaternion
 from ...maps.chart import Chart
 from ...maps.multiple import FURTHER_POWERS, POWERS
-from ...maps.phi_error import SYMBOLIC_ONLY, PhiError
 from ...maps.real_constants import number, plus
 from ..programs.program import Constant, Program
 from ..programs.trace import Trace
@@ -101,9 +99,6 @@ def _beyond(chart: Chart, trace: Trace, x: Number, *table: Number) -> tuple[Numb
 
 def _reached(chart: Chart, trace: Trace, angle: Number) -> tuple[Number]:
     """Return α ≥ 0 unchanged up to the edge; beyond it, subtract the fewest whole turns that end in the chart."""
-    if float(chart.edge) < math.pi:
-        reason = f"ends at alpha = {chart.edge}, and poses that turn further, up to pi, have no v"
-        raise PhiError(f"phi = {chart.phi} {reason}: {SYMBOLIC_ONLY}")
     if chart.edge.is_infinite:
         return (angle,)
     zero = trace.name("zero", angle - angle)

@@ -10,8 +10,10 @@ Beyond the limit, with ``ρ = 1/φ′``, theorems on every φ give ``h = (ρ −
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Any
 
 import mpmath
 import sympy
@@ -23,12 +25,14 @@ from ..angle import Angle
 from ..angle_chart import AngleChart
 from ..families import alpha
 from ..order_charts import Derivatives, half_angle
+from ..phi_error import SYMBOLIC_ONLY, PhiError
 from ..real_constants import plus
 from ..scalars import NOISE, DependentScalars, scalar
 from .edges import PHI_DIGITS, Edge, edge_of
 from .first_guess import Guess, from_end, guess
 from .near_zero import Ratio, ratio
-from .phi_values import PhiValues, require_known
+from .phi_values import PhiValues
+from .rounding import require_digits
 
 
 class GeneralScalars(DependentScalars):
@@ -38,7 +42,7 @@ class GeneralScalars(DependentScalars):
         super().__init__(x, m)
         self.chart = chart
         limit = chart.near.limit
-        self.is_near = m.name("within", m.less(limit.denominator * x, limit.numerator))
+        self.is_near = m.name("nearby", m.less(limit.denominator * x, limit.numerator))
 
     def _select(self, near: Coefficient, far: Coefficient) -> Coefficient:
         """Return `near` below the limit of x, and `far` beyond."""
@@ -169,13 +173,16 @@ class General(AngleChart):
     @cached_property
     def near(self) -> Ratio:
         """Polynomials of a(x) and its derivatives, below a limit."""
-        require_known(self.expression)
         return ratio(self.expression, self._edge)
 
     @cached_property
     def far(self) -> Guess:
         """First guess of Newton's method beyond the limit."""
         return guess(self.expression, self._edge, self.near.limit)
+
+    @property
+    def steep(self) -> tuple[Any, ...]:
+        return self._edge.flat
 
     @property
     def remainder(self) -> float:
@@ -191,6 +198,18 @@ class General(AngleChart):
     @property
     def range(self) -> sympy.Expr:
         return sympy.oo if self._edge.kind == "pole" else super().range
+
+    def require_kernels(self) -> None:
+        """Raise `PhiError` if kernels cannot compute the chart to full precision."""
+        try:
+            if float(self.edge) < math.pi:
+                end = self.edge if self.edge.has(sympy.pi) else self.edge.evalf(8)
+                reason = f"ends at alpha = {end}, and poses that turn further, up to pi, have no v"
+                raise PhiError(f"phi = {self.phi} {reason}")
+            require_digits(self.expression, self._edge, self.inverse(mpmath.sqrt(float(self.near.limit))))
+            _ = self.far
+        except PhiError as error:
+            raise PhiError(f"{error}: {SYMBOLIC_ONLY}") from None
 
     def scalars(self, x: Coefficient, m: Arithmetic) -> GeneralScalars:
         return GeneralScalars(self, x, m)
@@ -208,14 +227,7 @@ class General(AngleChart):
         if self._edge.kind != "pole":
             left = from_end(x, self.far.size, m)
             r = m.name("length_in", r + (left - left))
-        angle = m.name("guess", self.far.lowered(x, r, m))
-        for step in range(self.far.steps):
-            at = PhiValues(m.corrected(angle), m)
-            change = m.div(at.derivative(self.phi, 0) - r, at.derivative(self.phi, 1))
-            if self._edge.kind == "fold":  # φ′ = 0 at the edge, which the guess meets
-                change = m.where(m.less(plus(angle, -self.far.edge, m, f"before{step}"), 0), change, 0)
-            angle = m.name(f"alpha{step}", angle - change)
-        return angle
+        return self.far.solved(x, r, m)
 
     def phi_derivatives(self, angle: Coefficient, m: Arithmetic, mark: str = "") -> Derivatives:
         """Return φ, φ′, φ″; NaN beyond the edge, by 0/0. At a fold, an angle beyond it by rounding is the edge."""

@@ -14,7 +14,10 @@ from dataclasses import dataclass
 
 from ..phi_error import PhiError
 
-FUNCTIONS = ("sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "exp", "log", "sqrt")
+FUNCTIONS = (
+    "sin", "cos", "tan", "sec", "csc", "cot", "asin", "acos", "atan", "sinh", "cosh", "tanh", "asinh", "atanh",
+    "exp", "log", "sqrt", "cbrt",
+)  # fmt: skip
 NAMES = ("alpha", "n", "pi")
 OPERATORS = (ast.Add, ast.Sub, ast.Mult, ast.Div, ast.Pow)
 KNOWN = f"numbers, {', '.join(NAMES)}, + - * / **, {', '.join(FUNCTIONS)}"

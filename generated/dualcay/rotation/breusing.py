@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="a2b7ea00f9a9e546",
+    programs="d5aebc56211e79ae",
 )
 
 KERNELS = RotationKernels(CHART)

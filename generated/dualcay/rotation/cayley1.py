@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="59ed6eafcb0912d6",
+    programs="7b0cdb85d2f4f188",
 )
 
 KERNELS = RotationKernels(CHART)

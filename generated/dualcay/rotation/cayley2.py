@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="60ed668546b3f5d1",
+    programs="a0a94f9f218eda9f",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="1158186a952df67c",
+    programs="dd0de6cd7eb89fcd",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="55c0ea8d5e1c4212",
+    programs="0f7105d7915c6e8e",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="b8931963d22154c7",
+    programs="bccbea41f3d5e631",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="843e9d54e206c725",
+    programs="b2544151c1fffb97",
 )
 
 KERNELS = RotationKernels(CHART)

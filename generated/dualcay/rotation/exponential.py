@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="8c356ddb5b860cac",
+    programs="01c5176d6ef6ea68",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="07cf9f2d456b8e0b",
+    programs="3f9ca1df2bddeb17",
     ends=True,
 )
 

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="bae35bfb56b26a4b",
+    programs="d7bc21279ae356e3",
     ends=True,
 )
 

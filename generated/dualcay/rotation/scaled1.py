@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="46c8df6d444a942d",
+    programs="27880627a38345b4",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="e4d3efa646ada63c",
+    programs="a3b7344cd9726e07",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="904328a9c46517c8",
+    programs="f81124a46ab26e05",
 )
 
 KERNELS = RotationKernels(CHART)

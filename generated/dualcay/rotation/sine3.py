@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="a47fe5d0ea8b9555",
+    programs="1e25a2df2ce079d3",
     ends=True,
 )
 

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="fb641877a00ecec7",
+    programs="2e56cf865531a2f8",
     ends=True,
 )
 

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="0460aff6c3381302",
+    programs="559e9197c3957475",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -63,7 +63,7 @@ def test_accepted_texts(text: str, expected: sympy.Expr):
         ("(alpha\n/2)", "not understood in phi: '\\n'"),
         ("alpha +", "phi is no expression"),
         ("", "phi is no expression"),
-        ("n*alpha", "give its value with -n"),
+        ("n*alpha", "give its value, by -n or as order="),
         ("alpha/0", "divides by zero"),
         ("alpha/(1 - 1)", "divides by zero"),
         ("alpha**alpha", "powers in phi are numbers"),
