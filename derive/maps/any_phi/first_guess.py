@@ -126,7 +126,11 @@ LOGARITHM = Variable("Logarithm", lambda x, r, m: m.log1p(r), lambda z: mpmath.e
 def fold(size: Any) -> Variable:
     """Return the variable ``z = √(1 − x/X)``, for which the angle is analytic at a fold."""
     return Variable(
-        "Fold", lambda x, r, m: from_end(x, size, m), lambda z: size * (1 - z * z), lambda r, z: -r / z * (1 / size), True
+        "Fold",
+        lambda x, r, m: from_end(x, size, m),
+        lambda z: size * (1 - z * z),
+        lambda r, z: -r / z * (1 / size),
+        True,
     )
 
 
