@@ -28,7 +28,7 @@ from .numbers.fields import Exact
 from .numbers.generic import STEPS, Generic
 from .numbers.ideal import Ideal
 from .numbers.quantities import ORDER, SIGN
-from .probe import Probe
+from .probe import ORDERED, Probe
 from .result import Counterexample, Result, Status, Verdict
 
 WAYS: tuple[Mapping[str, bool], ...] = ({}, {"turning": True}, {"framed": False})
@@ -118,7 +118,7 @@ def decided(claim: Claim) -> Finding:
 
 
 def _decided(claim: Claim) -> Finding:
-    choosing = branched(*claim.parts)
+    choosing = branched(*claim.parts) and ORDERED.isdisjoint(operators(claim.statement))
     outcome: dict[bool | None, list[Place]] = {True: [], False: [], None: []}
     blurred = 0
     probe = Probe(claim)
