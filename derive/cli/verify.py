@@ -73,7 +73,13 @@ def _loaded(name: str) -> Sheet:
     try:
         return load(name)
     except SheetError as error:
-        raise click.UsageError(str(error)) from None
+        raise Unreadable(str(error)) from None
+
+
+class Unreadable(click.ClickException):
+    """Error of one line for a file or claim that cannot be read."""
+
+    exit_code = 2
 
 
 def _single(claim: str, letters: Sequence[str], domain: str) -> Sheet:
@@ -85,7 +91,7 @@ def _single(claim: str, letters: Sequence[str], domain: str) -> Sheet:
     try:
         return claim_alone(claim, pairs, domain)
     except ClaimError as error:
-        raise click.BadParameter(str(error), param_hint="--claim") from None
+        raise Unreadable(f"--claim: {error}") from None
 
 
 def _of_sheets(sheets: Sequence[Sheet], equations: list[str] | None, seconds: float) -> Report:

@@ -184,7 +184,7 @@ def region(claim: Claim, true: Sequence[Place], false: Sequence[Place]) -> tuple
         if not any(candidate.test(place) for place in false):
             at_true = [candidate.test(place) for place in true]
             found.append((candidate, False not in at_true, at_true.count(True)))
-            if found[-1][1]:
+            if found[-1][1] and found[-1][2] * 2 > len(true):  # not a number that is 0 at all points, such as eps
                 return candidate, True
     many = [(inside, -len(candidate.words), candidate) for candidate, _, inside in found if inside * 2 > len(true)]
     return (max(many, key=lambda row: row[:2])[2], False) if many else (None, False)
