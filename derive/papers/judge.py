@@ -300,6 +300,15 @@ def witness(claim: Claim, finding: Finding) -> Counterexample | None:
     return None if outside is None else _counterexample(claim, outside, _outside(claim, outside))
 
 
+def first_failure(claim: Claim) -> Counterexample | None:
+    """Return the first point at which a claim is false or has no value, if it can be evaluated at points."""
+    with suppress(RefusedError, MeaninglessError, NotExactError, BlurredError):
+        for place in Probe(claim).all():
+            if not claim.truth(place):
+                return _counterexample(claim, place, _outside(claim, place).partition(" at ")[2])
+    return None
+
+
 def _outside(claim: Claim, place: Place) -> str:
     where = place.on or place.label
     admits = ", which the stated domain admits" if claim.entry.claimed is not None else ""
