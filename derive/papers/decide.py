@@ -11,6 +11,7 @@ from typing import Any
 
 from ..algebra.element import NotExactError
 from .claim import Claim, rate_depth
+from .conditions import branched
 from .equation import Entry, Reading, UndecidedError, faithful
 from .explore import Trial, counterexample, explore
 from .judge import ORDERS, Pairs, first_failure, steps_of
@@ -18,6 +19,7 @@ from .language.environment import Env
 from .language.printed import Term, Trait, takes_apart, with_trait
 from .numbers.generic import Generic
 from .numbers.quantities import BRANCH, ORDER, SIGN
+from .probe import singular
 from .result import Counterexample, Result, Status, Verdict
 from .sharp import is_sharp
 
@@ -107,6 +109,8 @@ def _refuted(entry: Entry, statement: Term) -> Counterexample | None:
     """Return a point at which a statement without definitions, domain or condition fails, as for claims of files."""
     if entry.where or entry.also or entry.claimed is not None or entry.condition is not None:
         return None
+    if not branched(statement) and next(singular(statement), None) is None:
+        return None  # a polynomial identity has no special place
     return first_failure(Claim(entry, statement, lenient=True))
 
 
