@@ -88,7 +88,7 @@ class Claim:
     @cached_property
     def depth(self) -> int:
         """Highest order of a time derivative."""
-        depth = max(map(_depth, self.parts))
+        depth = max(map(rate_depth, self.parts))
         if depth > RATES_MAX:
             raise RefusedError(f"rates are nested more than {RATES_MAX} deep")
         return depth
@@ -166,8 +166,9 @@ def kind(letter: Symbol) -> Kind:
     return KINDS[letter.quantity.name]
 
 
-def _depth(node: Term) -> int:
-    return max(map(_depth, node.arguments), default=0) + (Trait.RATE in node.operator.traits)
+def rate_depth(node: Term) -> int:
+    """Return how deep time derivatives are nested in a term."""
+    return max(map(rate_depth, node.arguments), default=0) + (Trait.RATE in node.operator.traits)
 
 
 def _equations(domain: Term) -> Iterator[Term]:

@@ -10,15 +10,17 @@ from itertools import product
 from typing import Any
 
 from ..algebra.element import NotExactError
-from .claim import Claim
+from .claim import Claim, rate_depth
+from .conditions import branched
 from .equation import Entry, Reading, UndecidedError, faithful
 from .explore import Trial, counterexample, explore
-from .judge import ORDERS, Finding, Pairs, decided, steps_of, witness
+from .judge import ORDERS, Pairs, first_failure, steps_of
 from .language.environment import Env
 from .language.printed import Term, Trait, takes_apart, with_trait
 from .numbers.generic import Generic
 from .numbers.quantities import BRANCH, ORDER, SIGN
-from .result import Result, Status, Verdict
+from .probe import singular
+from .result import Counterexample, Result, Status, Verdict
 from .sharp import is_sharp
 
 SHORT_DECIMALS = 1
@@ -61,6 +63,7 @@ def _check(entry: Entry, lost: str) -> None:
     unfaithful = not all(faithful(reading.statement, entry.extract, lost) for reading in entry.readings)
     mistakes = {
         "an argument leads on from an identity that is proved": entry.argument and entry.because is None,
+        "rates are nested, which claims of files may do": any(rate_depth(r.statement) > 1 for r in entry.readings),
         "a claimed domain and the words that state it come together": (entry.claimed is None) != (entry.stated is None),
         f"a reading does not have the characters of line {entry.line}": entry.extract and unfaithful,
         "an erratum shows the words of the paper": entry.corrected is not None and not (entry.extract or entry.said),
@@ -92,8 +95,8 @@ def judge(entry: Entry, reading: Reading, orders: Sequence[int]) -> Verdict:
         short = explore(entry, reading.statement, orders, SHORT_DECIMALS)
         shown = next((trial for trial in short if trial.inside and trial.truth is False), failed)
         return verdict(False, f"refuted at {failed.place}", counterexample(shown, entry, reading.statement))
-    if (finding := _found(entry, reading.statement)) is not None:
-        return verdict(False, finding.method, witness(Claim(entry, reading.statement), finding))
+    if (refuted := _refuted(entry, reading.statement)) is not None:
+        return verdict(False, f"refuted at {refuted.point}", refuted)
     outside = [trial for trial in trials if not trial.inside]
     if not inside or (entry.condition is not None and not outside):
         raise UndecidedError(f"({entry.number}): no point on {'both sides' if inside else 'the inside'} of its domain")
@@ -102,12 +105,13 @@ def judge(entry: Entry, reading: Reading, orders: Sequence[int]) -> Verdict:
     return verdict(True, f"{method}; also true at {beyond.point}" if beyond else method)
 
 
-def _found(entry: Entry, statement: Term) -> Finding | None:
-    """Return the finding for a statement without definitions, domain or condition if it fails somewhere."""
+def _refuted(entry: Entry, statement: Term) -> Counterexample | None:
+    """Return a point at which a statement without definitions, domain or condition fails, as for claims of files."""
     if entry.where or entry.also or entry.claimed is not None or entry.condition is not None:
         return None
-    finding = decided(Claim(entry, statement, lenient=True))
-    return finding if finding.failing or finding.outside else None
+    if not branched(statement) and next(singular(statement), None) is None:
+        return None  # a polynomial identity has no special place
+    return first_failure(Claim(entry, statement, lenient=True))
 
 
 def _beyond(entry: Entry, statement: Term, outside: Sequence[Trial]) -> Trial | None:

@@ -28,7 +28,7 @@ from .numbers.fields import Exact
 from .numbers.generic import STEPS, Generic
 from .numbers.ideal import Ideal
 from .numbers.quantities import ORDER, SIGN
-from .probe import Probe
+from .probe import ORDERED, Probe
 from .result import Counterexample, Result, Status, Verdict
 
 WAYS: tuple[Mapping[str, bool], ...] = ({}, {"turning": True}, {"framed": False})
@@ -118,7 +118,7 @@ def decided(claim: Claim) -> Finding:
 
 
 def _decided(claim: Claim) -> Finding:
-    choosing = branched(*claim.parts)
+    choosing = branched(*claim.parts) and ORDERED.isdisjoint(operators(claim.statement))
     outcome: dict[bool | None, list[Place]] = {True: [], False: [], None: []}
     blurred = 0
     probe = Probe(claim)
@@ -298,6 +298,15 @@ def witness(claim: Claim, finding: Finding) -> Counterexample | None:
         return _counterexample(claim, finding.failing)
     outside = finding.outside
     return None if outside is None else _counterexample(claim, outside, _outside(claim, outside))
+
+
+def first_failure(claim: Claim) -> Counterexample | None:
+    """Return the first point at which a claim is false or has no value, if it can be evaluated at points."""
+    with suppress(RefusedError, MeaninglessError, NotExactError, BlurredError):
+        for place in Probe(claim).all():
+            if not claim.truth(place):
+                return _counterexample(claim, place, _outside(claim, place).partition(" at ")[2])
+    return None
 
 
 def _outside(claim: Claim, place: Place) -> str:

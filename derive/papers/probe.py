@@ -16,7 +16,7 @@ from math import pi
 from typing import Any
 
 from ..algebra import Quaternion, Structure, Tensor, Vector, matrix
-from .claim import Claim, Place, kind
+from .claim import Claim, Place, kind, operators
 from .constrained import onto
 from .language.operator_table import cos, norm, sin
 from .language.printed import Number, Symbol, Term, symbols, walk
@@ -30,6 +30,13 @@ SHORT = tuple(map(Fraction, (1, 2, -1, 3, -2)))
 """Numbers of the first points, so that counterexamples are short."""
 REGIMES = ((5, 0.1, 1.0), (5, 0.5, 2.0), (5, 2.0, 12.0), (2, 1e-6, 1e-3), (2, 30.0, 1e3))
 """Number of wide points with coordinates of each size; further points mix the sizes."""
+ORDERS = (1, 1, 2, 2, 3, 4, 5, 9, 25)
+"""Orders at which claims are evaluated, small ones more often."""
+FAR = tuple(map(Fraction, (30, 100, 1000, 10**4, 10**6, 10**12)))
+"""Values beyond the grid on which zeros are searched."""
+ORDERED = frozenset(("less", "at most", "greater", "at least", "unlike"))
+BOUND = 1000
+"""Size of integers and orders at which inequalities are tried."""
 PAIRS_MAX = 24
 """Number of points with two special letters."""
 ROOTS_MAX = 4
@@ -83,7 +90,7 @@ def singular(*statements: Term) -> Iterator[Singular]:
         elif name in ("tan", "cot"):
             part = (cos if name == "tan" else sin)(*arguments)
             found[part] = Singular(part, size)
-        elif name in ("less", "at most", "greater", "at least", "unlike"):
+        elif name in ORDERED or (name == "equal" and node not in statements):
             part = arguments[0] - arguments[1]
             found[part] = Singular(part, size)
     bound = "index"
@@ -125,7 +132,7 @@ class Probe:
         return [Fraction(1), *free[1:]] if row.projective and self.random.random() < 0.8 else free
 
     def _discrete(self) -> dict[Symbol, Any]:
-        return {a: self.random.randint(1, 4) if a.quantity is ORDER else self.random.choice((-1, 1))
+        return {a: self.random.choice(ORDERS if a.quantity is ORDER else (-1, 1))
                 for a in self.claim.letters if a.quantity in (ORDER, SIGN)}  # fmt: skip
 
     def drawn(self, low: float = 0.3, high: float = 2.0) -> dict[Symbol, Any]:
@@ -197,6 +204,12 @@ class Probe:
             at = {a: self._drawn(a, *self.random.choice(REGIMES)[1:]) for a in self.claim.coordinates}
             yield Place(f"wide point {i + 1}, mixed", {**self._discrete(), **at})
         letters = self.claim.coordinates
+        if not ORDERED.isdisjoint(operators(self.claim.statement)):
+            for n in (BOUND, -BOUND):
+                at = self.drawn()
+                at |= {a: [Fraction(n)] for a in letters if kind(a).spread == "integer"}
+                at |= {a: abs(n) for a in self.claim.letters if a.quantity is ORDER}
+                yield Place(f"integers of size {BOUND}", at)
         found = [(a, label, c) for a in letters for label, c in special(kind(a)).items()]
         for letter, label, c in found:
             yield Place(f"{letter.name}: {label}", {**self.drawn(), letter: c})
@@ -290,8 +303,10 @@ class Line:
 
     def _roots(self, part: Singular) -> list[Any]:
         claim = Claim(replace(self.claim.entry, claimed=None), part.part)  # other letters need no values
-        grid = [Fraction(k, 2) for k in range(0 if self.radial else -32, 40)]
-        grid = [NEAR, *grid[33:]] if kind(self.letter).spread == "positive" else grid
+        grid = [*(Fraction(k, 2) for k in range(1, 40)), *FAR]
+        grid = [1 / FAR[-1] if kind(self.letter).spread == "positive" else Fraction(0), *grid]
+        if not self.one_sided:
+            grid = [*(-t for t in reversed(grid[1:])), *grid]
 
         def value(t: Any) -> Any:
             """Return the middle of the number that vanishes on the singular set, or None."""

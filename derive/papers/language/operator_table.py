@@ -134,7 +134,19 @@ def cases(*arms: tuple[Any, Term]) -> Apply:
 
 
 infinity = Symbol("infinity", "∞", r"\infty", "∞")
-factorial = define("factorial", "{0}!", "{0}!", ATOM, (ATOM,), lambda env, k: math.factorial(k))
+
+
+def _counting(count: Callable[..., int]) -> Callable[..., int]:
+    """Return the value of a function of integers that are not negative."""
+    def value(env: Env, *numbers: int) -> int:
+        if any(number < 0 for number in numbers):
+            raise UndefinedError("a count of a negative number")
+        return count(*numbers)
+
+    return value
+
+
+factorial = define("factorial", "{0}!", "{0}!", ATOM, (ATOM,), _counting(math.factorial))
 power_of_e = define("power of e", "e^{{{0}}}", "e{0}", POWER, (LIST,), lambda env, a: _exponential(env, a),
                     traits=Trait.TRANSCENDENTAL)
 
@@ -164,7 +176,7 @@ def _floor(env: Env, a: Any, b: int) -> int:
 
 
 floor_over = define("floor", r"\left\lfloor {0}/{1} \right\rfloor", "{0}/{1}", ATOM, (ATOM, ATOM), _floor)
-binomial = define("binomial", r"\binom{{{0}}}{{{1}}}", "{0} {1}", ATOM, (LIST, LIST), lambda env, n, k: math.comb(n, k))
+binomial = define("binomial", r"\binom{{{0}}}{{{1}}}", "{0} {1}", ATOM, (LIST, LIST), _counting(math.comb))
 
 
 # ---- dual parts -----------------------------------------------------------------------------------------------
