@@ -117,7 +117,7 @@ class Cayley(BranchesOfOrder):
     @cached_property
     def quaternion(self) -> QuaternionMap:
         """Unit dual quaternion, CP23 (50), (55)."""
-        root = (1 + x) ** (sympy.sympify(self.order) / 2)
+        root = (1 + x) ** (self.order * sympy.S.Half)
         return self._formula(QuaternionMap, "quaternion", self.p / root, self.q / root)
 
     @cached_property

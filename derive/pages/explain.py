@@ -86,6 +86,7 @@ def explain(chart: Chart, function: str) -> Explanation:
         raise ValueError(f"a function is one of {', '.join(PUBLIC)}, got {function!r}")
     if not isinstance(chart.order, int):
         raise ValueError(f"kernels have a number as order n, got {chart.order}: put one in its place, by subs")
+    chart.require_kernels()
     kernel, scalars, covered = geometry()[row.kernel], lower_chart(chart).scalars, COVERAGE[row.name]
     calls = [call.function for call in kernel.calls if call.function in scalars]  # n = 1 has no other branch to turn to
     called = list(dict.fromkeys(calls))

@@ -29,10 +29,8 @@ POINTWISE_MAX = 12
 """Largest batch that runs pose by pose; for larger batches NumPy is faster than Python floats."""
 
 FLOAT = np.dtype(np.float64)
-PYTHON_FLOATS = (FLOAT, np.dtype(np.float32))
-"""Dtypes of which a few poses run on Python floats."""
-
-COMPILED = (*PYTHON_FLOATS, np.dtype(np.longdouble))
+SINGLE = np.dtype(np.float32)
+COMPILED = (SINGLE, FLOAT, np.dtype(np.longdouble))
 """Dtypes that compiled forms take."""
 
 RAISED = (ZeroDivisionError, OverflowError, ValueError)
@@ -88,7 +86,7 @@ def call(
     kernel = chart.kernels[name]
     arguments = (*kernel.arguments[:-1], (last, kernel.arguments[-1][1])) if last else kernel.arguments
     arrays = [as_array(name, value, part, axis, kernel.real) for (name, part), value in zip(arguments, values)]
-    if out is None and _single(arrays, arguments):
+    if out is None and _single(kernel, arrays):
         alone = _directly(native, arrays, table) if native else _alone(kernel, chart, arrays, table)
         if alone is not None:
             return alone
@@ -151,13 +149,18 @@ def _table(texts: tuple[str, ...], dtype: np.dtype[Any]) -> Array:
     return np.array(constants(texts, dtype), dtype)
 
 
-def _single(arrays: Sequence[Array], arguments: Sequence[tuple[str, Shape]]) -> bool:
-    """Tell whether arrays hold one pose, all in float64 or all in float32."""
+def _single(kernel: Kernel, arrays: Sequence[Array]) -> bool:
+    """Tell whether arrays hold one pose that runs on Python floats."""
     dtype = arrays[0].dtype
-    single = dtype in PYTHON_FLOATS
-    for array, (_, part) in zip(arrays, arguments):  # faster than ``all`` with a generator
+    single = _on_python_floats(kernel, dtype)
+    for array, (_, part) in zip(arrays, kernel.arguments):  # faster than ``all`` with a generator
         single = single and array.ndim == len(part) and array.dtype == dtype
     return single
+
+
+def _on_python_floats(kernel: Kernel, dtype: np.dtype[Any]) -> bool:
+    """Tell whether a few poses run on Python floats; selections of branches in float32 depend on its rounding."""
+    return dtype == FLOAT or (dtype == SINGLE and not kernel.real)
 
 
 def _alone(kernel: Kernel, chart: Chart, arrays: Sequence[Array], table: tuple[str, ...]) -> Array | None:
@@ -180,7 +183,7 @@ def _one_by_one(
     table: tuple[str, ...],
 ) -> Array | None:
     """Return the result for a few poses of floats or for objects; None if the recorded program must run."""
-    if not dtype.hasobject and (dtype not in PYTHON_FLOATS or math.prod(batch) > POINTWISE_MAX):
+    if not dtype.hasobject and (math.prod(batch) > POINTWISE_MAX or not _on_python_floats(kernel, dtype)):
         return None
     functions = Objects if dtype.hasobject else Floats
     extra = (constants(table, dtype),) if table else ()

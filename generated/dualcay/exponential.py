@@ -71,7 +71,7 @@ def _C01_to_h(m: Any, C0: Any, CC1: Any, C1: Any, C3: Any, alpha: Any, xx: Any, 
     return C01, C2, sine, versine, lost, f, h
 
 
-# steps that 6 programs share
+# steps that 8 programs share
 def _s_and_w(m: Any, alpha: Any, nearby: Any, C0: Any, C1: Any) -> Result:
     t = m.tan(alpha / 4)
     tt = t * t
@@ -104,14 +104,21 @@ def _f_to_h(m: Any, C0: Any, C1: Any, alpha: Any, xx: Any, x: Any, part: Any, v1
     return f, g, C01, C2, h
 
 
+# steps that 5 programs share
+def _gy_to_hy(m: Any, f: Any, h: Any, g: Any, C3: Any, C2: Any, z: Any, C01: Any, C5: Any, C1: Any, xx: Any, nearby: Any) -> Result:
+    gy = f * h - g * g
+    CC3 = C3 * C3
+    C4 = (4 * C3 - C2 - 2 * (z * CC3)) / (2 * C01)
+    c5 = (C5 + C4 + C2 * C3) / 16
+    c4 = C3 * (1 + C1) / 8
+    hy = m.where(nearby, 3 * c5 - c4, (g - 3 * h) / xx)
+    return gy, CC3, C4, c5, hy
+
+
 # unit quaternion q = s + w v; slopes sy = 2 ds/dx, wy = 2 dw/dx
 def _quaternion_scalars(m: Any, x: Any) -> Result:
     nearby, _, _, _, C3, C1, CC1, C0, xx, alpha = _nearby_to_alpha(m, x)
-    t = m.tan(alpha / 4)
-    tt = t * t
-    below = 1 + tt
-    s = m.where(nearby, C0, (1 - tt) / below)
-    w = m.where(nearby, C1 / 2, 2 * t / below / alpha)
+    s, w = _s_and_w(m, alpha, nearby, C0, C1)
     sy = -(w / 2)
     _, _, _, _, _, _, h = _C01_to_h(m, C0, CC1, C1, C3, alpha, xx, nearby)
     ww = w * w
@@ -135,12 +142,7 @@ def _tangent_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     nearby, z, _, C5, C3, C1, CC1, C0, xx, alpha = _nearby_to_alpha(m, x)
     f, g, C01, C2, h = _f_to_h(m, C0, C1, alpha, xx, x, part, v11, v22, v33, nearby, CC1, C3)
     fy = h - g
-    gy = f * h - g * g
-    CC3 = C3 * C3
-    C4 = (4 * C3 - C2 - 2 * (z * CC3)) / (2 * C01)
-    c5 = (C5 + C4 + C2 * C3) / 16
-    c4 = C3 * (1 + C1) / 8
-    hy = m.where(nearby, 3 * c5 - c4, (g - 3 * h) / xx)
+    gy, _, _, _, hy = _gy_to_hy(m, f, h, g, C3, C2, z, C01, C5, C1, xx, nearby)
     return f, g, h, fy, gy, hy
 
 
@@ -151,12 +153,7 @@ def _tangent_dot_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     nearby, z, C7, C5, C3, C1, CC1, C0, xx, alpha = _nearby_to_alpha(m, x)
     f, g, C01, C2, h = _f_to_h(m, C0, C1, alpha, xx, x, part, v11, v22, v33, nearby, CC1, C3)
     fy = h - g
-    gy = f * h - g * g
-    CC3 = C3 * C3
-    C4 = (4 * C3 - C2 - 2 * (z * CC3)) / (2 * C01)
-    c5 = (C5 + C4 + C2 * C3) / 16
-    c4 = C3 * (1 + C1) / 8
-    hy = m.where(nearby, 3 * c5 - c4, (g - 3 * h) / xx)
+    gy, CC3, C4, c5, hy = _gy_to_hy(m, f, h, g, C3, C2, z, C01, C5, C1, xx, nearby)
     fyy = hy - gy
     gyy = fy * h + f * hy - 2 * (g * gy)
     C6 = (4 * C5 + 2 * CC3 - C4 - 2 * (C2 * C4)) / 4
@@ -175,11 +172,7 @@ def _inverse_scalars(m: Any, x: Any, fe: Any) -> Result:
     nearby, _, _, _, C3, C1, CC1, C0, xx, alpha = _nearby_to_alpha(m, x)
     _, _, sine, versine, lost, _, h = _C01_to_h(m, C0, CC1, C1, C3, alpha, xx, nearby)
     g = m.where(nearby, CC1 / 2, (versine + lost * sine) / xx)
-    t = m.tan(alpha / 4)
-    tt = t * t
-    below = 1 + tt
-    s = m.where(nearby, C0, (1 - tt) / below)
-    w = m.where(nearby, C1 / 2, 2 * t / below / alpha)
+    s, w = _s_and_w(m, alpha, nearby, C0, C1)
     fi = s / w
     hi = g - fi * h
     return fe, hi
@@ -201,12 +194,7 @@ def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     g = m.where(nearby, CC1 / 2, (versine + lost * sine) / xx)
     hi = g - fe * h
     fiy = -(h / g)
-    gy = f * h - g * g
-    CC3 = C3 * C3
-    C4 = (4 * C3 - C2 - 2 * (z * CC3)) / (2 * C01)
-    c5 = (C5 + C4 + C2 * C3) / 16
-    c4 = C3 * (1 + C1) / 8
-    hy = m.where(nearby, 3 * c5 - c4, (g - 3 * h) / xx)
+    gy, _, _, _, hy = _gy_to_hy(m, f, h, g, C3, C2, z, C01, C5, C1, xx, nearby)
     hiy = gy - fiy * h - fe * hy
     return fe, hi, fiy, hiy
 
@@ -220,12 +208,7 @@ def _tangent_inv_scalars(m: Any, x: Any) -> Result:
     g = m.where(nearby, CC1 / 2, (versine + lost * sine) / xx)
     hi = g - fi * h
     fiy = -(h / g)
-    gy = f * h - g * g
-    CC3 = C3 * C3
-    C4 = (4 * C3 - C2 - 2 * (z * CC3)) / (2 * C01)
-    c5 = (C5 + C4 + C2 * C3) / 16
-    c4 = C3 * (1 + C1) / 8
-    hy = m.where(nearby, 3 * c5 - c4, (g - 3 * h) / xx)
+    gy, _, _, _, hy = _gy_to_hy(m, f, h, g, C3, C2, z, C01, C5, C1, xx, nearby)
     hiy = gy - fiy * h - fi * hy
     return fi, hi, fiy, hiy
 
@@ -239,12 +222,7 @@ def _tangent_inv_dot_scalars(m: Any, x: Any) -> Result:
     g = m.where(nearby, CC1 / 2, (versine + lost * sine) / xx)
     hi = g - fi * h
     fiy = -(h / g)
-    gy = f * h - g * g
-    CC3 = C3 * C3
-    C4 = (4 * C3 - C2 - 2 * (z * CC3)) / (2 * C01)
-    c5 = (C5 + C4 + C2 * C3) / 16
-    c4 = C3 * (1 + C1) / 8
-    hy = m.where(nearby, 3 * c5 - c4, (g - 3 * h) / xx)
+    gy, CC3, C4, c5, hy = _gy_to_hy(m, f, h, g, C3, C2, z, C01, C5, C1, xx, nearby)
     hiy = gy - fiy * h - fi * hy
     fiyy = -((hy + fiy * gy) / g)
     C6 = (4 * C5 + 2 * CC3 - C4 - 2 * (C2 * C4)) / 4

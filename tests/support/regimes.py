@@ -178,10 +178,20 @@ class Call:
         alone = _tuple(function(*self.given))
         crowd = _tuple(function(*(np.repeat(array[None], CROWD, axis=0) for array in self.given)))
         among = tuple(part[-1] for part in crowd)
-        reason = self._wrong(alone) or self._wrong(among)
-        if not reason and [*map(_finite, alone)] != [*map(_finite, among)]:
+        reason = self._wrong(among)
+        if alone[0].dtype == np.float32 and not self.row.real:
+            reason = reason or self._rounded(function, alone)
+        elif not (reason := reason or self._wrong(alone)) and [*map(_finite, alone)] != [*map(_finite, among)]:
             reason = f"single and batch are finite in other places: {alone}, {among}"
         return f"{self.row.name}{self.given}, {self.fate}: {reason}" if reason else ""
+
+    def _rounded(self, function: Any, alone: tuple[np.ndarray, ...]) -> str:
+        """Return why a single result is not that in double precision, rounded once; the range is that of doubles."""
+        doubles = _tuple(function(*(array.astype(np.float64) for array in self.given)))
+        with np.errstate(over="ignore"):
+            expected = [array.astype(np.float32) for array in doubles]
+        same = all(np.array_equal(one, two, equal_nan=True) for one, two in zip(alone, expected, strict=True))
+        return "" if same else f"not the result of doubles rounded once: {alone}, {doubles}"
 
     def _wrong(self, found: tuple[np.ndarray, ...]) -> str:
         finite = [bool(np.isfinite(array).all()) for array in found]

@@ -17,7 +17,7 @@ from .program import Assignment, Call, Program, Statement
 
 LEAST_SAVING = 10  # least number of printed lines that a helper saves
 HEAD = 5  # number of printed lines of a helper in addition to its steps: comment, head, result, blank lines
-OPERATIONS_PER_CALL = 41
+OPERATIONS_PER_CALL = 31
 """Least number of operations for each helper that a program calls beyond two, since a call takes time."""
 
 MOST_PASSED = 12  # largest number of arguments of a helper, and of its results
