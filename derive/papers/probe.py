@@ -17,7 +17,7 @@ from typing import Any
 
 from ..algebra import Quaternion, Structure, Tensor, Vector, matrix
 from .claim import Claim, Place, kind, operators
-from .constrained import onto
+from .constrained import onto, touching
 from .language.operator_table import cos, norm, sin
 from .language.printed import Number, Symbol, Term, symbols, walk
 from .language.written import written
@@ -32,11 +32,13 @@ REGIMES = ((5, 0.1, 1.0), (5, 0.5, 2.0), (5, 2.0, 12.0), (2, 1e-6, 1e-3), (2, 30
 """Number of wide points with coordinates of each size; further points mix the sizes."""
 ORDERS = (1, 1, 2, 2, 3, 4, 5, 9, 25)
 """Orders at which claims are evaluated, small ones more often."""
-FAR = tuple(map(Fraction, (30, 100, 1000, 10**4, 10**6, 10**12)))
+FAR = tuple(map(Fraction, (30, 100, 1000, 10**4, 10**6, 10**12, 10**24)))
 """Values beyond the grid on which zeros are searched."""
 ORDERED = frozenset(("less", "at most", "greater", "at least", "unlike"))
 BOUND = 1000
 """Size of integers and orders at which inequalities are tried."""
+INTEGERS_MAX = 64
+"""Size of the integers and orders at which zeros are sought."""
 PAIRS_MAX = 24
 """Number of points with two special letters."""
 ROOTS_MAX = 4
@@ -57,6 +59,10 @@ class Singular:
 
     part: Term
     size: Callable[[Any], Any]
+
+    def number(self, claim: Claim, place: Place) -> Any:
+        """Return the number at a point as Arb's ball."""
+        return arb(self.size(claim.env(place).value(self.part)))
 
 
 def size(value: Any) -> Any:
@@ -236,12 +242,40 @@ class Probe:
 
     def _zeros(self) -> Iterator[Place]:
         for part in singular(*self.claim.parts):
-            for letter in symbols(part.part):
+            letters = [a for a in self.claim.letters if a in symbols(part.part)]
+            for letter in letters:
                 if letter in self.claim.coordinates:
                     for line in self.lines(letter):
                         roots, places = line.places(part)
                         self.roots.setdefault((part.part, letter), roots)
                         yield from places
+                if letter.quantity is ORDER or (letter in self.claim.coordinates and kind(letter).spread == "integer"):
+                    yield from self._at_integers(part, letter)
+            free = sum(kind(a).size for a in letters if a in self.claim.coordinates and kind(a).spread != "integer")
+            if free > 1 and not any(self.roots.get((part.part, a)) for a in letters):
+                yield from self._touching(part)
+
+    def _at_integers(self, part: Singular, letter: Symbol) -> Iterator[Place]:
+        """Yield the points at whose integer a singular part vanishes or has another sign than before."""
+        order, at, before = letter.quantity is ORDER, self.drawn(), None
+        for n in range(1 if order else -INTEGERS_MAX, INTEGERS_MAX + 1):
+            place = Place(f"{letter.name} = {n}", {**at, letter: n if order else [Fraction(n)]}, on=f"{letter.name} = {n}")
+            try:
+                now = part.number(self.claim, place)
+            except (ArithmeticError, BlurredError, TypeError, AttributeError, ValueError):
+                continue
+            if now.contains(0) or (before is not None and now * before < 0):
+                yield place
+            before = now
+
+    def _touching(self, part: Singular) -> Iterator[Place]:
+        """Yield points where a part vanishes without change of sign, such as a length whose vector is 0."""
+        claim = Claim(self.claim.entry, part.part)
+        for low, high in ((0.5, 1.5), (1, 5)):
+            place = touching(claim, Place("", self.drawn(low, high)), part.part, part.size)
+            if place is not None:
+                zero = f"{written(self.claim.entry.contracted(part.part))} = 0"
+                yield replace(place, label=zero, on=zero)
 
     def roots_along(self, part: Term, letter: Symbol) -> tuple[str, list[float]] | None:
         """Return the name of a letter's value and the values at which a part vanishes, if they are those of a line."""
@@ -311,7 +345,7 @@ class Line:
         def value(t: Any) -> Any:
             """Return the middle of the number that vanishes on the singular set, or None."""
             try:
-                return arb(part.size(claim.env(Place("", self.point(t))).value(part.part))).mid()
+                return part.number(claim, Place("", self.point(t))).mid()
             except (ArithmeticError, BlurredError, TypeError, AttributeError):
                 return None
 
