@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import partial
-from itertools import combinations
+from itertools import combinations, product
 from typing import Any
 
 from ..algebra import Structure, Tensor
@@ -200,7 +200,9 @@ def _candidates(claim: Claim, number: Read) -> Iterator[Region]:
     signs = [_sign(part, relation, number) for part in signed for relation in (">= 0", "<= 0")]
     bounds = [_between(part, *bound, number) for part in bounded if _is_number(claim, part) for bound in _BOUNDS]
     yield from sorted([*signs, *bounds], key=lambda candidate: len(candidate.words))
-    for one, two in combinations(signs[:16], 2):
+    own = [_between(part, *bound, number) for part in sizes if _is_number(claim, part) for bound in _BOUNDS]
+    pairs = [*combinations(signs[:16], 2), *product(signs[:16], own), *combinations(own, 2)]
+    for one, two in pairs:
         yield Region(f"{one.words} and {two.words}", partial(_both, one.test, two.test))
 
 

@@ -24,7 +24,7 @@ STEP, DAMPING = 200, 100
 """Exponents of 2 of the step of differences, and of the term that makes dependent equations solvable."""
 KEPT = 20
 """Exponent of 2 of the differences below which the slopes are kept."""
-REACHED, WIDTH = 300, 200
+REACHED, WIDTH = 300, 190
 """Exponents of 2 of the largest difference of both sides in the end, and of the width of the coordinates."""
 APPROACH_MAX = 48
 """Largest number of steps towards a zero of a number of one sign."""
@@ -157,4 +157,3 @@ def _slopes(left: Any, x: list[Any], now: list[Any]) -> list[list[Any]]:
         beside = left([Ball(c + step if i == k else c) for k, c in enumerate(x)])
         rows.append([((b - a) / step).mid() for a, b in zip(now, beside, strict=True)])
     return rows
-

@@ -87,7 +87,7 @@ def singular(*statements: Term) -> Iterator[Singular]:
         if name in ("over", "power"):
             exponent = arguments[1]
             if name == "over" or not (isinstance(exponent, Number) and exponent.value >= 0):
-                part = arguments[1 if name == "over" else 0]
+                part = _bare(arguments[1 if name == "over" else 0])
                 found[part] = Singular(part, size)
         elif name in ("inverse", "root", "log", "norm", "atan2 of two", "K10 length"):
             found[arguments[0]] = Singular(arguments[0], _half_turn if name == "log" else size)
@@ -97,13 +97,20 @@ def singular(*statements: Term) -> Iterator[Singular]:
             part = (cos if name == "tan" else sin)(*arguments)
             found[part] = Singular(part, size)
         elif name in ORDERED or (name == "equal" and node not in statements):
-            part = arguments[0] - arguments[1]
+            part = _bare(arguments[0] if arguments[1] == Number(0) else arguments[0] - arguments[1])
             found[part] = Singular(part, size)
     bound = "index"
     for one in found.values():
         letters = symbols(one.part)
         if letters and not any(a.quantity.name == bound for a in letters):
             yield one
+
+
+def _bare(part: Term) -> Term:
+    """Return the part below signs, brackets, powers and magnitudes, which vanishes at the same points."""
+    name, arguments = part.operator.name, part.arguments
+    power = name == "power" and isinstance(arguments[1], Number) and arguments[1].value > 0
+    return _bare(arguments[0]) if power or name in ("negative", "bracket", "norm", "root") else part
 
 
 def _half_turn(value: Any) -> Any:
@@ -219,6 +226,9 @@ class Probe:
         found = [(a, label, c) for a in letters for label, c in special(kind(a)).items()]
         for letter, label, c in found:
             yield Place(f"{letter.name}: {label}", {**self.drawn(), letter: c})
+        origin = {a: special(kind(a))["0"] for a in letters if "0" in special(kind(a))}
+        if len(origin) > 1:
+            yield Place(f"{', '.join(a.name for a in origin)} = 0", {**self.drawn(), **origin})
         yield from self._related()
         yield from self._zeros()
         pairs = [(one, two) for one, two in combinations(found, 2) if one[0] != two[0]]
@@ -259,7 +269,8 @@ class Probe:
         """Yield the points at whose integer a singular part vanishes or has another sign than before."""
         order, at, before = letter.quantity is ORDER, self.drawn(), None
         for n in range(1 if order else -INTEGERS_MAX, INTEGERS_MAX + 1):
-            place = Place(f"{letter.name} = {n}", {**at, letter: n if order else [Fraction(n)]}, on=f"{letter.name} = {n}")
+            label = f"{letter.name} = {n}"
+            place = Place(label, {**at, letter: n if order else [Fraction(n)]}, on=label)
             try:
                 now = part.number(self.claim, place)
             except (ArithmeticError, BlurredError, TypeError, AttributeError, ValueError):
@@ -276,6 +287,7 @@ class Probe:
             if place is not None:
                 zero = f"{written(self.claim.entry.contracted(part.part))} = 0"
                 yield replace(place, label=zero, on=zero)
+                return
 
     def roots_along(self, part: Term, letter: Symbol) -> tuple[str, list[float]] | None:
         """Return the name of a letter's value and the values at which a part vanishes, if they are those of a line."""
