@@ -270,7 +270,8 @@ class Probe:
         order, at, before = letter.quantity is ORDER, self.drawn(), None
         for n in range(1 if order else -INTEGERS_MAX, INTEGERS_MAX + 1):
             label = f"{letter.name} = {n}"
-            place = Place(label, {**at, letter: n if order else [Fraction(n)]}, on=label)
+            value: Any = n if order else [Fraction(n)]
+            place = Place(label, {**at, letter: value}, on=label)
             try:
                 now = part.number(self.claim, place)
             except (ArithmeticError, BlurredError, TypeError, AttributeError, ValueError):

@@ -19,6 +19,7 @@ from typing import Any
 
 from ..workers import cores
 from .equation import Entry
+from .numbers.balls import flint
 from .result import Result, Status, Verdict
 from .sheet import Sheet
 
@@ -29,6 +30,7 @@ def decide_each(
     items: Sequence[tuple[Sheet, int]], seconds: float = SECONDS, step: Callable[[str], None] = lambda line: None
 ) -> list[Result]:
     """Return the results of entries by sheet and place, in order; a slow one is undecided."""
+    flint()  # said once, and not by each worker
     waiting: queue.SimpleQueue[int] = queue.SimpleQueue()
     for i in range(len(items)):
         waiting.put(i)
