@@ -141,8 +141,9 @@ def _decided(claim: Claim) -> Finding:
         stated = claim.entry.claimed is not None
         few = f"only {points} of the points tried" if points else "no point tried"
         return Finding(Status.UNDECIDED, f"{few} {'in' if stated else 'outside'} the stated domain", points)
-    if not true and not false:
-        return Finding(Status.UNDECIDED, f"it has no value at any of {points} points", points)
+    known = any(place.generic for place in (*true, *false)) or not any(place.generic for place in undefined)
+    if not known and not false:
+        return Finding(Status.UNDECIDED, f"it has no value at generic points, of {points} points in all", points)
     within, cuts = None, ""
     if false:
         cuts = f"{len(false)} of {len(true) + len(false)} points fail"

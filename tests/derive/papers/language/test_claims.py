@@ -102,6 +102,12 @@ def test_roots_that_differ_on_both_sides_have_no_derivative() -> None:
         value("jacobian(norm(v), v) == transpose(v)", v=matrix.shaped([[Fraction(0)]] * 3))
 
 
+@pytest.mark.parametrize("body", ["norm(x)/x", "sqrt(x**2)/x", "atan2(x, -1)", "atan2(x**3, -x**2)", "acos(cos(x))/x"])
+def test_values_that_differ_on_both_sides_have_no_limit(body: str) -> None:
+    with pytest.raises(ArithmeticError):
+        value(f"limit({body}, x, 0) == 1")
+
+
 @pytest.mark.parametrize("name", ["sin", "cos", "exp", "log", "sqrt", "atan"])
 def test_series_of_functions(name: str) -> None:
     s = sympy.Symbol("s")
