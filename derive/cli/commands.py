@@ -165,6 +165,8 @@ def run() -> int:
 def _exit_codes() -> dict[type[Exception], int]:
     from ..codegen import RefusedError, ValidationFailed
     from ..papers import UndecidedError
+    from ..papers.numbers.balls import MissingLibraryError
     from ..proof import ProofFailed
 
-    return {ProofFailed: 1, ValidationFailed: 1, UndecidedError: 1, RefusedError: 3, OSError: 3}
+    return {ProofFailed: 1, ValidationFailed: 1, UndecidedError: 1, RefusedError: 3, OSError: 3,
+            MissingLibraryError: 3}  # fmt: skip

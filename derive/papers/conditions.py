@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
-from itertools import combinations
+from itertools import combinations, product
 from typing import Any
 
 from ..algebra import Structure, Tensor
@@ -44,7 +44,7 @@ class Exclusion:
 def fault(env: Env, node: Term) -> Exclusion | None:
     """Return the requirement that a term without a value violates: that of its deepest part without a value."""
     for argument in node.arguments:
-        if not any(a.quantity.name == "index" for a in symbols(argument)) and _undefined(env, argument):
+        if _undefined(env, argument):
             return fault(env, argument)
     name, arguments = node.operator.name, node.arguments
     if name == "over":
@@ -67,7 +67,7 @@ def fault(env: Env, node: Term) -> Exclusion | None:
         return Exclusion((cos if name == "tan" else sin)(*arguments), "!= 0")
     if name == "atan2 of two":
         return Exclusion(norm(arguments[0]) + norm(arguments[1]), "!= 0")
-    zero = next((a for a in arguments if _vanishes(env, a)), None)
+    zero = next((a for a in arguments if symbols(a) and _vanishes(env, a)), None)
     return Exclusion(node, "has a value") if zero is None else Exclusion(zero, "!= 0")
 
 
@@ -83,6 +83,8 @@ def _undefined(env: Env, node: Term) -> bool:
         env.value(node)
     except ArithmeticError:
         return True
+    except (KeyError, TypeError):  # it has a letter that is bound further out, or is one
+        return False
     return False
 
 
@@ -117,12 +119,13 @@ def exclusions(claim: Claim, places: Sequence[Place]) -> dict[Exclusion, Place]:
 
 def plain(probe: Probe, requirement: Exclusion) -> str:
     """Return a requirement in plain form: by values of the letter if it has only one, else as it stands."""
+    shown = replace(requirement, subject=probe.claim.entry.contracted(requirement.subject))
     letters = [a for a in symbols(requirement.subject) if a in probe.claim.coordinates]
     simple = requirement.subject in (*letters, *map(norm, letters))
     if requirement.relation == "!= 0" and len(letters) == 1 and not simple:
         name, roots = probe.roots_along(requirement.subject, letters[0]) or ("", [])
-        return (roots and values_excluded(name, roots)) or str(requirement)
-    return str(requirement)
+        return (roots and values_excluded(name, roots)) or str(shown)
+    return str(shown)
 
 
 def values_excluded(name: str, roots: Sequence[float]) -> str:
@@ -200,7 +203,9 @@ def _candidates(claim: Claim, number: Read) -> Iterator[Region]:
     signs = [_sign(part, relation, number) for part in signed for relation in (">= 0", "<= 0")]
     bounds = [_between(part, *bound, number) for part in bounded if _is_number(claim, part) for bound in _BOUNDS]
     yield from sorted([*signs, *bounds], key=lambda candidate: len(candidate.words))
-    for one, two in combinations(signs[:16], 2):
+    own = [_between(part, *bound, number) for part in sizes if _is_number(claim, part) for bound in _BOUNDS]
+    pairs = [*combinations(signs[:16], 2), *product(signs[:16], own), *combinations(own, 2)]
+    for one, two in pairs:
         yield Region(f"{one.words} and {two.words}", partial(_both, one.test, two.test))
 
 

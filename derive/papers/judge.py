@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from fractions import Fraction
@@ -75,8 +75,11 @@ class Finding:
         return self.status in (Status.HOLDS, Status.HOLDS_IF)
 
 
-def judge_claim(paper: str, entry: Entry) -> Result:
-    """Return the result of an entry with one reading and no stated condition; ``paper`` is the paper's slug."""
+def judge_claim(paper: str, entry: Entry, early: Callable[[Result], None] = lambda result: None) -> Result:
+    """Return the result of an entry with one reading and no stated condition; ``paper`` is the paper's slug.
+
+    `early` receives the result before the search for changes, terms and constraints, which may take long.
+    """
     statement = entry.readings[0].statement
     claim = _premised(Claim(entry, statement))
     finding = decided(claim)
@@ -89,13 +92,14 @@ def judge_claim(paper: str, entry: Entry) -> Result:
             method += f"; the correction does not hold: {correction.method}"
     example = witness(claim, finding)
     verdict = Verdict(statement, "", finding.holds, finding.method, None if finding.holds else example)
-    return Result(
+    result = Result(
         paper, entry, status, method, (verdict,), certainty=finding.certainty, points=finding.points,
         found=finding.found, outside=example if finding.holds else None, cuts=finding.cuts,
-        changes=tuple(_mended(claim, finding)) if status is Status.FALSE else (),
-        vacuous=tuple(dict.fromkeys(_vacuous(claim, finding))) if finding.holds else (),
-        needs=tuple(_needed(claim)) if finding.holds else (),
     )  # fmt: skip
+    early(result)
+    if finding.holds:
+        return replace(result, vacuous=tuple(dict.fromkeys(_vacuous(claim, finding))), needs=tuple(_needed(claim)))
+    return replace(result, changes=tuple(_mended(claim, finding))) if status is Status.FALSE else result
 
 
 def _premised(claim: Claim) -> Claim:
@@ -131,12 +135,15 @@ def _decided(claim: Claim) -> Finding:
             break
     true, false, undefined = outcome[True], outcome[False], outcome[None]
     points = len(true) + len(false) + len(undefined)
+    if blurred and not points:
+        return Finding(Status.UNDECIDED, f"numbers at {blurred} points are too large or too uncertain to tell")
     if points < POINTS_MIN and not false:
         stated = claim.entry.claimed is not None
         few = f"only {points} of the points tried" if points else "no point tried"
         return Finding(Status.UNDECIDED, f"{few} {'in' if stated else 'outside'} the stated domain", points)
-    if not true and not false:
-        return Finding(Status.UNDECIDED, f"it has no value at any of {points} points", points)
+    known = any(place.generic for place in (*true, *false)) or not any(place.generic for place in undefined)
+    if not known and not false:
+        return Finding(Status.UNDECIDED, f"it has no value at generic points, of {points} points in all", points)
     within, cuts = None, ""
     if false:
         cuts = f"{len(false)} of {len(true) + len(false)} points fail"
@@ -157,7 +164,8 @@ def _true(probe: Probe, at: Outcome, within: Region | None, cuts: str) -> Findin
     found = exclusions(claim, inside)
     parts = [within.strict if border else within.words] if within else []
     condition = " and ".join(dict.fromkeys([*parts, *(plain(probe, requirement) for requirement in found)]))
-    exact = not at.false and proved(claim)
+    ordered = not ORDERED.isdisjoint(operators(claim.statement))  # generic values tell nothing of an order
+    exact = not (at.false or ordered) and proved(claim)
     points = len(at.true) + len(at.false) + len(at.undefined)
     evidence = f"evidence: {points} points" + f", {at.blurred} more too close to tell" * bool(at.blurred)
     outside = next(iter((*found.values(), *at.undefined, *at.false)), None)
@@ -212,7 +220,7 @@ def _exact(
     try:
         if not replace(env, found=pairs).value(claim.statement):
             raise NotExactError("other roots")
-    except (ZeroDivisionError, TypeError) as error:
+    except (ArithmeticError, TypeError) as error:
         raise NotExactError("no generic value") from error
     if found is not None:
         found.append(pairs or [])

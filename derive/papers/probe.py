@@ -17,7 +17,7 @@ from typing import Any
 
 from ..algebra import Quaternion, Structure, Tensor, Vector, matrix
 from .claim import Claim, Place, kind, operators
-from .constrained import onto
+from .constrained import onto, touching
 from .language.operator_table import cos, norm, sin
 from .language.printed import Number, Symbol, Term, symbols, walk
 from .language.written import written
@@ -32,11 +32,13 @@ REGIMES = ((5, 0.1, 1.0), (5, 0.5, 2.0), (5, 2.0, 12.0), (2, 1e-6, 1e-3), (2, 30
 """Number of wide points with coordinates of each size; further points mix the sizes."""
 ORDERS = (1, 1, 2, 2, 3, 4, 5, 9, 25)
 """Orders at which claims are evaluated, small ones more often."""
-FAR = tuple(map(Fraction, (30, 100, 1000, 10**4, 10**6, 10**12)))
+FAR = tuple(map(Fraction, (30, 100, 1000, 10**4, 10**6, 10**12, 10**24)))
 """Values beyond the grid on which zeros are searched."""
 ORDERED = frozenset(("less", "at most", "greater", "at least", "unlike"))
 BOUND = 1000
 """Size of integers and orders at which inequalities are tried."""
+INTEGERS_MAX = 64
+"""Size of the integers and orders at which zeros are sought."""
 PAIRS_MAX = 24
 """Number of points with two special letters."""
 ROOTS_MAX = 4
@@ -57,6 +59,10 @@ class Singular:
 
     part: Term
     size: Callable[[Any], Any]
+
+    def number(self, claim: Claim, place: Place) -> Any:
+        """Return the number at a point as Arb's ball."""
+        return arb(self.size(claim.env(place).value(self.part)))
 
 
 def size(value: Any) -> Any:
@@ -81,7 +87,7 @@ def singular(*statements: Term) -> Iterator[Singular]:
         if name in ("over", "power"):
             exponent = arguments[1]
             if name == "over" or not (isinstance(exponent, Number) and exponent.value >= 0):
-                part = arguments[1 if name == "over" else 0]
+                part = _bare(arguments[1 if name == "over" else 0])
                 found[part] = Singular(part, size)
         elif name in ("inverse", "root", "log", "norm", "atan2 of two", "K10 length"):
             found[arguments[0]] = Singular(arguments[0], _half_turn if name == "log" else size)
@@ -91,13 +97,20 @@ def singular(*statements: Term) -> Iterator[Singular]:
             part = (cos if name == "tan" else sin)(*arguments)
             found[part] = Singular(part, size)
         elif name in ORDERED or (name == "equal" and node not in statements):
-            part = arguments[0] - arguments[1]
+            part = _bare(arguments[0] if arguments[1] == Number(0) else arguments[0] - arguments[1])
             found[part] = Singular(part, size)
     bound = "index"
     for one in found.values():
         letters = symbols(one.part)
         if letters and not any(a.quantity.name == bound for a in letters):
             yield one
+
+
+def _bare(part: Term) -> Term:
+    """Return the part below signs, brackets, powers and magnitudes, which vanishes at the same points."""
+    name, arguments = part.operator.name, part.arguments
+    power = name == "power" and isinstance(arguments[1], Number) and arguments[1].value > 0
+    return _bare(arguments[0]) if power or name in ("negative", "bracket", "norm", "root") else part
 
 
 def _half_turn(value: Any) -> Any:
@@ -213,6 +226,9 @@ class Probe:
         found = [(a, label, c) for a in letters for label, c in special(kind(a)).items()]
         for letter, label, c in found:
             yield Place(f"{letter.name}: {label}", {**self.drawn(), letter: c})
+        origin = {a: special(kind(a))["0"] for a in letters if "0" in special(kind(a))}
+        if len(origin) > 1:
+            yield Place(f"{', '.join(a.name for a in origin)} = 0", {**self.drawn(), **origin})
         yield from self._related()
         yield from self._zeros()
         pairs = [(one, two) for one, two in combinations(found, 2) if one[0] != two[0]]
@@ -236,12 +252,43 @@ class Probe:
 
     def _zeros(self) -> Iterator[Place]:
         for part in singular(*self.claim.parts):
-            for letter in symbols(part.part):
+            letters = [a for a in self.claim.letters if a in symbols(part.part)]
+            for letter in letters:
                 if letter in self.claim.coordinates:
                     for line in self.lines(letter):
                         roots, places = line.places(part)
                         self.roots.setdefault((part.part, letter), roots)
                         yield from places
+                if letter.quantity is ORDER or (letter in self.claim.coordinates and kind(letter).spread == "integer"):
+                    yield from self._at_integers(part, letter)
+            free = sum(kind(a).size for a in letters if a in self.claim.coordinates and kind(a).spread != "integer")
+            if free > 1 and not any(self.roots.get((part.part, a)) for a in letters):
+                yield from self._touching(part)
+
+    def _at_integers(self, part: Singular, letter: Symbol) -> Iterator[Place]:
+        """Yield the points at whose integer a singular part vanishes or has another sign than before."""
+        order, at, before = letter.quantity is ORDER, self.drawn(), None
+        for n in range(1 if order else -INTEGERS_MAX, INTEGERS_MAX + 1):
+            label = f"{letter.name} = {n}"
+            value: Any = n if order else [Fraction(n)]
+            place = Place(label, {**at, letter: value}, on=label)
+            try:
+                now = part.number(self.claim, place)
+            except (ArithmeticError, BlurredError, TypeError, AttributeError, ValueError):
+                continue
+            if now.contains(0) or (before is not None and now * before < 0):
+                yield place
+            before = now
+
+    def _touching(self, part: Singular) -> Iterator[Place]:
+        """Yield points where a part vanishes without change of sign, such as a length whose vector is 0."""
+        claim = Claim(self.claim.entry, part.part)
+        for low, high in ((0.5, 1.5), (1, 5)):
+            place = touching(claim, Place("", self.drawn(low, high)), part.part, part.size)
+            if place is not None:
+                zero = f"{written(self.claim.entry.contracted(part.part))} = 0"
+                yield replace(place, label=zero, on=zero)
+                return
 
     def roots_along(self, part: Term, letter: Symbol) -> tuple[str, list[float]] | None:
         """Return the name of a letter's value and the values at which a part vanishes, if they are those of a line."""
@@ -311,7 +358,7 @@ class Line:
         def value(t: Any) -> Any:
             """Return the middle of the number that vanishes on the singular set, or None."""
             try:
-                return arb(part.size(claim.env(Place("", self.point(t))).value(part.part))).mid()
+                return part.number(claim, Place("", self.point(t))).mid()
             except (ArithmeticError, BlurredError, TypeError, AttributeError):
                 return None
 

@@ -19,6 +19,7 @@ from typing import Any
 
 from ..workers import cores
 from .equation import Entry
+from .numbers.balls import flint
 from .result import Result, Status, Verdict
 from .sheet import Sheet
 
@@ -29,6 +30,7 @@ def decide_each(
     items: Sequence[tuple[Sheet, int]], seconds: float = SECONDS, step: Callable[[str], None] = lambda line: None
 ) -> list[Result]:
     """Return the results of entries by sheet and place, in order; a slow one is undecided."""
+    flint()  # said once, and not by each worker
     waiting: queue.SimpleQueue[int] = queue.SimpleQueue()
     for i in range(len(items)):
         waiting.put(i)
@@ -96,7 +98,8 @@ class _Worker:
             self.process.kill()
 
     def decide(self, sheet: Sheet, place: int, seconds: float) -> Result:
-        """Return the result of an entry, or undecided if the worker dies or takes too long."""
+        """Return the result of an entry; one found before the worker died or was late is kept, else it is undecided."""
+        own: dict[str, Any] = {}
         if self.process is None:
             paths = os.pathsep.join(path or os.getcwd() for path in sys.path)
             self.process = subprocess.Popen(
@@ -120,14 +123,16 @@ class _Worker:
             pickle.dump((sheet.request, place), process.stdin)
             process.stdin.flush()
             timer.start()
-            found = pickle.load(process.stdout)
+            final = False
+            while not final:
+                final, own = pickle.load(process.stdout)
         except (EOFError, OSError, pickle.UnpicklingError):
             self.__exit__()
             reason = f"not decided within {seconds:g} s" if late.is_set() else "the process that decided it died"
-            return undecided(slug, entry, reason)
+            if not own:
+                return undecided(slug, entry, reason)
         finally:
             timer.cancel()
-        own: dict[str, Any] = found
         return Result(slug, entry, **own)
 
 
@@ -167,11 +172,15 @@ def _serve() -> None:
         request, place = requests.get()
         sheet = sheets.setdefault(repr(request), Sheet.made(request))
         slug, entry = sheet.slug, sheet.entries()[place]
+
+        def answer(result: Result, final: bool = False) -> None:
+            own = {field.name: getattr(result, field.name) for field in fields(result)[2:]}  # without slug and entry
+            pickle.dump((final, own), answers)
+            answers.flush()
+
         try:
-            result = judge_claim(slug, entry)
+            result = judge_claim(slug, entry, answer)
         except Exception as error:
             result = undecided(slug, entry, f"it cannot be evaluated: {type(error).__name__}: {error}")
-        own = {field.name: getattr(result, field.name) for field in fields(result)[2:]}  # without slug and entry
-        pickle.dump(own, answers)
-        answers.flush()
+        answer(result, True)
 

@@ -11,6 +11,7 @@ import re
 import warnings
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from itertools import accumulate
 
 from ..phi_error import PhiError
 
@@ -51,6 +52,9 @@ class Grammar:
             raise self.error(message, strange.start() + 1)
         if len(text) > self.characters_max:
             raise self.error(f"{self.noun} has {len(text)} characters, and {self.characters_max} are the most", 1)
+        opened = accumulate((c in "([{") - (c in ")]}") for c in text)
+        if deep := next((i for i, open_ in enumerate(opened) if open_ > self.depth_max), None):
+            raise self.error(f"{self.noun} has more than {self.depth_max} brackets in each other", deep + 1)
         try:
             with warnings.catch_warnings():
                 warnings.simplefilter("ignore", SyntaxWarning)  # Python warns about "1if"

@@ -13,14 +13,14 @@ from typing import Any
 
 from ...algebra import Dual, Quaternion, Structure, Tensor, matrix
 from ...algebra.element import NotExactError
-from ..numbers.balls import is_sharp, widened
+from ..numbers.balls import BlurredError, is_sharp, widened
 from ..numbers.fields import UndefinedError, innermost
 from ..numbers.series import Series, SeriesField
 from . import values
 from .environment import Env
 from .matrices import rotation, translation, twist_of
 from .operator_table import define, infinity
-from .printed import ATOM, LIST, PRODUCT, SUM, Apply, OperatorRow, Symbol, Term, symbols
+from .printed import ATOM, LIST, PRODUCT, SUM, Apply, OperatorRow, Symbol, Term, symbols, walk
 
 BINDERS: dict[str, int] = {"sum": 0}
 """Place of the bound letter among the arguments, by operator."""
@@ -160,6 +160,8 @@ TERMS = 16
 """Even terms of the Taylor polynomials that an integral uses."""
 PIECES = (2, 8, 24)
 """Numbers of equal parts of the interval of an integral, tried in turn."""
+KINKED, PIECES_CHECKED = ("norm", "root", "floor of number", "acos", "asin", "atan2 of two", "log"), 7
+"""Operators with kinks or steps, over which the sum depends on the parts, and the number of parts that shows it."""
 REMAINDER = 1024
 """Bound on the terms left out, in sizes of the last one; for analytic functions they fall geometrically."""
 
@@ -169,19 +171,26 @@ def _integral(env: Env, body: Term, letter: Term, low: Term, high: Term) -> Any:
     if not env.field.ordered:
         raise NotExactError("an integral")
     a, b = env.value(low), env.value(high)
-    for pieces in PIECES:
-        half = (b - a) / Fraction(2 * pieces)
-        parts: list[Any] = []
-        error: Any = 0
-        for i in range(pieces):
-            found = _expanded(env, body, letter, a + half * (2 * i + 1), 1, 2 * TERMS)
-            terms = [found[k] * (2 * half ** (k + 1) / Fraction(k + 1)) for k in range(0, 2 * TERMS, 2)]
-            parts.append(reduce(values.add, terms))
-            error = sum((abs(c) for term in terms[-2:] for c in values.coefficients(term)), error)
-        result = _widened(reduce(values.add, parts), error * REMAINDER)
-        if all(is_sharp(c) for c in values.coefficients(result)):
-            break
+    sums = (_by_taylor(env, body, letter, a, b, pieces) for pieces in PIECES)
+    result = next((found for found in sums if all(map(is_sharp, values.coefficients(found)))), None)
+    if result is None:
+        raise BlurredError
+    kinked = any(node.operator.name in KINKED and letter in symbols(node) for node in walk(body))
+    if kinked and not env.equal(result, _by_taylor(env, body, letter, a, b, PIECES_CHECKED)):
+        raise NotExactError("an integral over a kink or step of its integrand")
     return result
+
+
+def _by_taylor(env: Env, body: Term, letter: Term, a: Any, b: Any, pieces: int) -> Any:
+    half = (b - a) / Fraction(2 * pieces)
+    parts: list[Any] = []
+    error: Any = 0
+    for i in range(pieces):
+        found = _expanded(env, body, letter, a + half * (2 * i + 1), 1, 2 * TERMS)
+        terms = [found[k] * (2 * half ** (k + 1) / Fraction(k + 1)) for k in range(0, 2 * TERMS, 2)]
+        parts.append(reduce(values.add, terms))
+        error = sum((abs(c) for term in terms[-2:] for c in values.coefficients(term)), error)
+    return _widened(reduce(values.add, parts), error * REMAINDER)
 
 
 def _widened(value: Any, error: Any) -> Any:

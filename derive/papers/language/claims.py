@@ -363,6 +363,8 @@ class Reader:
         if at.quantity.name.removeprefix("constant ") not in FREE and at.quantity.name != "index":
             raise self.error(f"{name} varies a real number, vector or twist, not a {at.quantity.name}", letter)
         rest = [self.read(argument) for argument in node.args[2:]]
+        if name == "series" and not 0 <= (_integer(node.args[2]) or 0) <= POWER_MAX:
+            raise self.error(f"the order of a series is an integer from 0 to {POWER_MAX}", node.args[2])
         body, of = self.read(node.args[0])
         kinds = [of, kind, *(k for _, k in rest)]
         return OPERATIONS[name].term(body, at, at, *(term for term, _ in rest)), OPERATIONS[name].kind(name, kinds)

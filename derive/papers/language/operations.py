@@ -114,8 +114,15 @@ def _number_like(kind: Any) -> Any:
     return "number" if is_number(kind) else kind
 
 
-def _inverse(kind: Any) -> Any:
-    return "quaternion" if kind == VECTOR else _number_like(kind)
+def _not_vector(call: str) -> Callable[[Any], Any]:
+    """Return the kind of a value like the argument's; a vector, which is a quaternion elsewhere, is refused."""
+
+    def kind_of(kind: Any) -> Any:
+        if kind == VECTOR:
+            raise KindError(f"{call} takes no vector", 0)
+        return _number_like(kind)
+
+    return kind_of
 
 
 def _skew(kind: Kind) -> Kind:
@@ -162,7 +169,7 @@ OPERATIONS: dict[str, Operation] = {
                       _by_kind(lambda k: t.vect if k == TENSOR else matrices.vee),
                       "axial vector of (A − Aᵀ)/2; of a 4x4 twist matrix its twist", "vect(R)"),
     "transpose": Operation(("matrix",), _transposed, matrices.transpose, "transpose", "transpose(R)"),
-    "inverse": Operation(("number or quaternion or square matrix",), _inverse, matrices.inverse,
+    "inverse": Operation(("number or quaternion or square matrix",), _not_vector("inverse"), matrices.inverse,
                          "inverse of a number, quaternion or square matrix", "inverse(A)"),
     "det": Operation(("square matrix",), "number", _by_kind(lambda k: t.det if k == TENSOR else matrices.det),
                      "determinant", "det(A)"),
@@ -177,7 +184,8 @@ OPERATIONS: dict[str, Operation] = {
     "log": Operation(("number or quaternion or tensor or pose",), _number_like, matrices.log,
                      "principal logarithm of a number, quaternion, rotation (a skew tensor) or pose (a 4x4 twist "
                      "matrix); none at a half turn", "log(R)"),
-    "sqrt": Operation(("number or quaternion",), _number_like, t.root, "square root that is not negative", "sqrt(x)"),
+    "sqrt": Operation(("number or quaternion",), _not_vector("sqrt"), t.root, "square root that is not negative",
+                      "sqrt(x)"),
     "sin": _function(t.sin, "sine", "sin(a)"),
     "cos": _function(t.cos, "cosine", "cos(a)"),
     "tan": _function(t.tan, "tangent", "tan(a)"),

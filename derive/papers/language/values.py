@@ -171,7 +171,7 @@ def equal(field: Field, a: Any, b: Any, found: list[tuple[Any, Any]] | None = No
 def coefficients(a: Any) -> Iterator[Any]:
     """Yield the plain numbers of a value, all real parts before the dual parts; for ±, use the first value."""
     if isinstance(a, Structure) and any(isinstance(component, Dual) for component in a):
-        yield from (number for part in (re, du) for component in a for number in coefficients(part(component)))
+        yield from (number for part in (re, du) for number in coefficients(a.map(part)))
         return
     parts = _parts(a)
     if not parts:

@@ -23,14 +23,22 @@ BLURRED = -64
 """Exponent of 2 of the largest error with which two numbers count as equal."""
 
 
+class MissingLibraryError(ImportError):
+    """Error for a library that is not installed, with the command that installs it."""
+
+
 class BlurredError(Exception):
     """Error for balls too wide to tell whether two numbers are equal."""
 
 
 @cache
 def flint() -> Any:
-    """Return python-flint."""
-    return importlib.import_module("flint")
+    """Return python-flint; raise MissingLibraryError without it."""
+    try:
+        return importlib.import_module("flint")
+    except ImportError:
+        needed = 'decisions of claims need python-flint: install with  pip install "dualcay[derive]"'
+        raise MissingLibraryError(needed) from None
 
 
 @contextmanager

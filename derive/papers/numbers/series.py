@@ -1,8 +1,8 @@
 r"""Truncated Laurent series in one small parameter, over the numbers of another field.
 
 One evaluation of a formula at :math:`a + s` gives its derivatives and its limit at a. A quotient of two series drops
-their common powers of s, so removable singularities are filled. Roots are positive for small s > 0; a root of an odd
-power of s² differs for s < 0, and `SeriesField.one_sided` records it.
+their common powers of s, so removable singularities are filled. Roots and signs are those for small s > 0; where they
+differ for s < 0, `SeriesField.one_sided` records it.
 """
 
 from __future__ import annotations
@@ -124,12 +124,18 @@ class Series:
         return not (difference.coefficients if isinstance(difference, Series) else difference)
 
     def __lt__(self, other: Any) -> bool:
-        leading = (self - other).coefficients[:1]
-        return bool(leading) and bool(leading[0] < 0)
+        return bool(self._sign(other) < 0)
 
     def __gt__(self, other: Any) -> bool:
-        leading = (self - other).coefficients[:1]
-        return bool(leading) and bool(leading[0] > 0)
+        return bool(self._sign(other) > 0)
+
+    def _sign(self, other: Any) -> Any:
+        """Return a number with the sign of the difference for small s > 0; an odd power has the other one for s < 0."""
+        difference = self - other
+        if not difference.coefficients:
+            return 0
+        self.field.one_sided |= difference.order % 2 != 0
+        return difference.coefficients[0]
 
     def derivative(self) -> Series:
         """Return the derivative by s."""
@@ -259,8 +265,11 @@ class SeriesField(Field):
 
     def _atan2(self, y: Series, x: Series) -> Any:
         low = min(y.order, x.order)
-        self.one_sided |= low % 2 != 0
-        return ((x * y.derivative() - y * x.derivative()) / (x * x + y * y)).integral(self.base.atan2(y[low], x[low]))
+        self.one_sided |= bool(y.order % 2 or x.order % 2)
+        start = self.base.atan2(y[low], x[low])
+        if self.ordered and y.order > low and x[low] < 0 and y < 0:
+            start = -start  # just below the branch cut
+        return ((x * y.derivative() - y * x.derivative()) / (x * x + y * y)).integral(start)
 
     def _asin(self, a: Series) -> Any:
         slope = a.derivative() / self.sqrt(1 - a * a)

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 from ...proof import Proof
+from ..claim import rate_depth
 from ..equation import Entry, Paper
 from ..numbers.kinds import KINDS
 from ..result import Counterexample, Result, Status
@@ -157,6 +158,8 @@ def command(result: Result) -> str:
 
 
 SHOWN_DIGITS = 10
+TWICE = ", rates "
+"""Word for numbers with first and second rates."""
 
 
 def example(found: Counterexample, entry: Entry | None = None) -> tuple[str, ...]:
@@ -177,13 +180,18 @@ def _second(entry: Entry | None, parts: list[str]) -> str:
     quantities = {symbol.quantity.name for symbol in entry.free(entry.readings[0].statement)}
     if any(KINDS[name].dual for name in quantities & KINDS.keys()):
         return " + ε "
-    return ", rate " if entry.moving else ""
+    depth = rate_depth(entry.readings[0].statement)
+    return ("", ", rate ", TWICE)[depth] if entry.moving and depth < 3 else ""
 
 
 def _numbers(parts: list[str], second: str) -> str:
-    """Return the numbers of a value as one string, its second half after a word."""
+    """Return the numbers of a value as one string, its second half or its rates after a word."""
     short = [part[: SHOWN_DIGITS + 2] for part in parts]
-    half = len(short) // 2
+    quarter, half = len(short) // 4, len(short) // 2
+    if second == TWICE and quarter:  # value, rate, rate again, second rate
+        pieces = short[:quarter], short[quarter:half], short[half + quarter :]
+        value, rate, second_rate = map(_tuple, pieces)
+        return f"{value}, rate {rate}, second rate {second_rate}"
     return f"{_tuple(short[:half])}{second}{_tuple(short[half:])}" if second and half else _tuple(short)
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import sys
 import warnings
 from pathlib import Path
 
@@ -10,6 +11,7 @@ import pytest
 
 import derive
 from derive.papers import ClaimError, Result, SheetError, Status, check_sheets, load
+from derive.papers.numbers.balls import flint
 from derive.papers.report import FORMATS, Report
 from tests.support.command import dualcay
 
@@ -149,6 +151,16 @@ def test_slow_equation_is_undecided(tmp_path: Path) -> None:
     first, second = check_sheets([load(file)], seconds=2)
     assert (first.status, first.method) == (Status.UNDECIDED, "not decided within 2 s")
     assert second.status is Status.HOLDS
+
+
+def test_without_flint_the_command_says_how_to_install_it(monkeypatch) -> None:
+    monkeypatch.setitem(sys.modules, "flint", None)
+    flint.cache_clear()
+    try:
+        with pytest.raises(ImportError, match=r'pip install "dualcay\[derive\]"'):
+            derive.check("1 == 1")
+    finally:
+        flint.cache_clear()
 
 
 def test_one_claim() -> None:

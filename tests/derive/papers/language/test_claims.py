@@ -102,6 +102,12 @@ def test_roots_that_differ_on_both_sides_have_no_derivative() -> None:
         value("jacobian(norm(v), v) == transpose(v)", v=matrix.shaped([[Fraction(0)]] * 3))
 
 
+@pytest.mark.parametrize("body", ["norm(x)/x", "sqrt(x**2)/x", "atan2(x, -1)", "atan2(x**3, -x**2)", "acos(cos(x))/x"])
+def test_values_that_differ_on_both_sides_have_no_limit(body: str) -> None:
+    with pytest.raises(ArithmeticError):
+        value(f"limit({body}, x, 0) == 1")
+
+
 @pytest.mark.parametrize("name", ["sin", "cos", "exp", "log", "sqrt", "atan"])
 def test_series_of_functions(name: str) -> None:
     s = sympy.Symbol("s")
@@ -127,6 +133,8 @@ REFUSED = (
     ("jacobian(u, u) == I", 13, "not a real unit vector"), ("L == 1", 1, "uses itself"), ("G(v, w) == I", 1, "takes 1"),
     ("block([[A], [v]]) == A", 1, "3, 1 columns"), ("identity(99) == I", 1, "from 1 to 12"), ("", 1, "nothing"),
     ("x == 1e99", 6, "up to 1e20"), ("(" * 60 + "x" + ")" * 60 + " == x == -" + "-" * 60 + "x", None, "brackets"),
+    ("(" * 41 + "x" + ")" * 41 + " == x", 41, "brackets"), ("series(x, x, -1) == 1", 14, "from 0 to 64"),
+    ("inverse(v) == v", 9, "takes no vector"), ("sqrt(v) == v", 6, "takes no vector"),
     ("x if x else x", 1, "not understood"), ("x == θ", 6, "'θ'"), ("x == True", 6, "True"), ("norm(*v) == 1", 6, "*v"),
     ("x == f'{x}'", 6, "f'"), ("x in v", 1, "x in v"), (" + ".join(["x"] * 2000) + " == x", 1, "are the most"),
 )  # fmt: skip
