@@ -22,10 +22,10 @@ from .field_facts import COLLECTIONS, TRUE, WRONG, Document, Place, anchor, as_j
 HEAD = """# Formulas in use
 
 Libraries, theses and flight code are written from formula sheets, manuals and documentation. This page lists {count}
-formulas of such documents, each entered as printed at a commit and decided by computation, in the conventions of the
-document. It says nothing on later versions. An entry is cited by its anchor, such as `kindr-411`, and
-[field.json](field.json) holds the same facts for programs. `make verify` writes both; `dualcay verify` with a
-[file of claims](reference/claims.md) decides a document of yours.
+formulas of such documents, of code, and of reports by readers. Each was entered as printed, at a commit or in a thread,
+and decided by computation in the conventions of its source. Later versions may differ. An entry is cited by its anchor,
+such as `kindr-411`, and [field.json](field.json) holds the same facts for programs. `make verify` writes both;
+`dualcay verify` with a [file of claims](reference/claims.md) decides a document of yours.
 """
 
 WRONG_HEAD = """
@@ -36,15 +36,15 @@ with the differing parts in red, and with numbers at which the sides of the prin
 """
 
 CODE_HEAD = """
-## Formulas that stand in code alone
+## Series near zero in code
 
 Near zero, code replaces a closed form by a series. The table gives the norm at which it switches. The relative error of
 the coefficient is given just below, where the series is used, and just above, where the closed form is used: there it
 is the largest within 3 %. Errors were computed in the given precision against 200 digits. Where a series is true to its
 order, "holds" says nothing on the closed form's rounding.
 
-| code | formula | status | precision | switch | error below | error above |
-|---|---|---|---|--:|--:|--:|"""
+| code | status | precision | switch | error below | error above | formula |
+|---|---|---|--:|--:|--:|---|"""
 
 SCORE_HEAD = """
 ## Formulas that readers reported
@@ -55,7 +55,7 @@ false alarms, where the formula is true.
 | thread | formula | verdict |
 |---|---|---|"""
 
-CONDITION_MAX = 120
+CONDITION_MAX = 90
 """Length of a condition that fits into a table."""
 
 
@@ -68,7 +68,7 @@ def page(library: Sequence[Document]) -> str:
     lines = [HEAD.format(count=len(every)), *_counts(library), WRONG_HEAD]
     for of in library:
         if of.count(*WRONG):
-            lines += [f"### {of.title}\n", *(line for r in of.results if r.status in WRONG for line in _wrong(of, r))]
+            lines += [f"### {of.short}\n", *(line for r in of.results if r.status in WRONG for line in _wrong(of, r))]
     if undecided:
         lines += ["## Undecided\n", *(f"- {_link(of, result)}: {result.method}" for of, result in undecided)]
     lines += [CODE_HEAD, *(line for of, result in code for line in _switches(of, result))]
@@ -81,11 +81,11 @@ def page(library: Sequence[Document]) -> str:
 
 def _counts(library: Sequence[Document]) -> Iterator[str]:
     """Yield the table of documents: what is true, true with a condition, wrong and undecided."""
-    yield "| document | equations | true | with a condition | wrong | undecided |\n|---|--:|--:|--:|--:|--:|"
+    yield "| document | equations | true | conditions | wrong | undecided |\n|---|--:|--:|--:|--:|--:|"
     kinds = ((Status.HOLDS,), (Status.HOLDS_IF,), WRONG, (Status.UNDECIDED,))
     for of in sorted(library, key=lambda of: of.slug in COLLECTIONS):
         numbers = [len(of.results), *(of.count(*statuses) for statuses in kinds)]
-        yield f"| [{of.title}](#in-{of.slug}) | {' | '.join(map(str, numbers))} |"
+        yield f"| [{of.short}](#in-{of.slug}) | {' | '.join(map(str, numbers))} |"
     total = [sum(len(of.results) for of in library), *(sum(of.count(*s) for of in library) for s in kinds)]
     yield f"| all | {' | '.join(map(str, total))} |"
 
@@ -94,17 +94,18 @@ def _wrong(of: Document, result: Result) -> Iterator[str]:
     """Yield the lines of a wrong formula: both forms, numbers, and code that has it too."""
     entry, facts = result.equation, of.on(result)
     yield f'<a id="{anchor(result)}"></a>\n\n#### {of.slug} {entry.number}\n'
-    yield f"{_at(entry.at, of.place(result))}. Wrong: {facts.get('error', 'see the numbers')}.\n"
-    yield f"- In print: {_maths(entry.printed)}"
+    yield f"{_at(entry.at, of.place(result))}. Error: {facts.get('error', 'see the numbers')}.\n"
+    yield f"- As it stands: {_maths(entry.printed)}"
     if result.corrected:
         printed, corrected = differing_sides(result)
         yield f"- As a claim: {_maths(printed)}\n- Corrected: {_maths(corrected)}"
     if terms := _definitions(result):
         yield f"- Here {terms}"
     if result.counterexample is not None:
-        yield f"- They differ at `{'; '.join(example(result.counterexample, entry))}`"
+        yield f"- Its sides differ at `{'; '.join(example(result.counterexample, entry))}`"
     for code in facts.get("code", ()):
-        yield f"- In code: {_at(code['at'], Place.of(code['at'], code['source']), code['source'])}: {code['error']}."
+        where = f"{code['source']}, {code['at']}"
+        yield f"- The same in code: {_at(where, Place.of(where, where))}: {code['error']}."
     if entry.remark:
         yield f"- Note: {entry.remark}."
     yield ""
@@ -126,20 +127,21 @@ def _switches(of: Document, result: Result) -> Iterator[str]:
     """Yield a row for each precision: the switch and the errors on both of its sides."""
     entry = result.equation
     for precision, (at, below, above) in of.on(result)["switch"].items():
-        cells = (_at(entry.at, of.place(result), entry.number), _maths(entry.printed), str(result.status), precision)
-        yield f"| {' | '.join(cells)} | {at:.3g} | {below:.1e} | {above:.1e} |"
+        numbers = f"{at:.3g} | {below:.1e} | {above:.1e}"
+        name = f"[{entry.number}]({of.place(result).link})"
+        yield f"| {name} | {result.status} | {precision} | {numbers} | {_maths(entry.printed)} |"
 
 
 def _claims(of: Document) -> Iterator[str]:
     """Yield the table of a document's formulas with their status and condition."""
-    yield f'\n<a id="in-{of.slug}"></a>\n\n### Formulas: {of.title}\n\n{of.sheet.citation}.'
+    yield f'\n<a id="in-{of.slug}"></a>\n\n### {of.title}\n\n{of.sheet.citation}.'
     yield f"Conventions: {of.about['conventions']}. Licence: {of.about['licence']}.\n"
-    yield "| | printed | status | condition |\n|---|---|---|---|"
+    yield "| | status | condition | printed |\n|---|---|---|---|"
     for result in of.results:
         label = result.equation.number
         name = _link(of, result, label) if result.status in WRONG else f'<a id="{anchor(result)}"></a>{label}'
         how = f" ({result.certainty})" if result.status in TRUE else ""
-        yield f"| {name} | {_maths(result.equation.printed)} | {result.status}{how} | {_condition(result)} |"
+        yield f"| {name} | {result.status}{how} | {_condition(result)} | {_maths(result.equation.printed)} |"
 
 
 def _condition(result: Result) -> str:
@@ -154,10 +156,9 @@ def _link(of: Document, result: Result, label: str = "") -> str:
     return f"[{label or f'{of.slug} {result.equation.number}'}](#{target})"
 
 
-def _at(words: str, place: Place, label: str = "") -> str:
+def _at(words: str, place: Place) -> str:
     """Return a place in words, as a link to the lines if the place is known to the line."""
-    shown = f"{label}, {words}" if label and label not in words else words
-    return f"[{shown}]({place.link})" if place.link else shown
+    return f"[{words}]({place.link})" if place.link else words
 
 
 def _thread(address: str) -> str:

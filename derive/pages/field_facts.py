@@ -70,6 +70,11 @@ class Document:
         """Title of the document."""
         return self.sheet.citation.partition(". ")[0]
 
+    @property
+    def short(self) -> str:
+        """Title up to its first colon."""
+        return self.title.partition(":")[0]
+
     def on(self, result: Result) -> Mapping[str, Any]:
         """Return the facts about an equation: kind of error, code, report, alarm, switch."""
         found: Mapping[str, Any] = self.about.get(result.equation.number, {})
