@@ -40,8 +40,8 @@ CODE_HEAD = """
 
 Near zero, code replaces a closed form by a series. The table gives the norm at which it switches. The relative error of
 the coefficient is given just below, where the series is used, and just above, where the closed form is used: there it
-is the largest found within 3 %. Errors were computed in the given precision against 200 digits. Where a series is true to its
-order, "holds" says nothing on the closed form's rounding.
+is the largest found within 3 %. Errors were computed in the given precision against 200 digits. Where a series is true
+to its order, "holds" says nothing on the rounding of the closed form.
 
 | code | status | precision | switch | error below | error above | formula |
 |---|---|---|--:|--:|--:|---|"""
