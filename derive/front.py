@@ -81,8 +81,8 @@ def Parameterization(phi: str | sympy.Expr, name: str = "phi", order: int | None
     """Return the parameterization v = φ(α) u of a φ, such as ``"alpha/(1 + alpha**2/40)"``.
 
     Besides the attributes listed in `family`, the chart has ``scale`` (a(v) of CP23 (60)), ``range`` of ``|v|``,
-    ``limits`` of T and T⁻¹ at 0, ``angle`` (φ⁻¹(|v|) as a function of x), and ``inverse`` at numbers. Raise `PhiError`,
-    a ValueError with the reason, for a φ that is refused.
+    ``limits`` of T and T⁻¹ at 0, ``angle`` (φ⁻¹ of ``|v|`` as a function of x), and ``inverse`` at numbers.
+    Raise `PhiError`, a ValueError with the reason, for a φ that is refused.
 
     Parameters
     ----------

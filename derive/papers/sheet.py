@@ -21,7 +21,7 @@ from .language.printed import Term, Trait, with_trait
 BYTES_MAX = 2_000_000
 """Largest size of a file."""
 EQUATIONS_MAX = 2000
-TABLES = ("paper", "letters", "definitions", "equation")
+TABLES = ("paper", "letters", "definitions", "equation", "field")
 PAPER_KEYS = ("slug", "title", "source")
 KEYS = ("number", "title", "at", "latex", "claim", "domain", "corrected", "remark")
 HEAD = re.compile(r"([A-Za-z]\w*)\s*(?:\(\s*([A-Za-z]\w*(?:\s*,\s*[A-Za-z]\w*)*)\s*\))?", re.ASCII)
