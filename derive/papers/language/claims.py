@@ -14,7 +14,7 @@ from ...maps.any_phi.grammar import Grammar, source
 from . import calculus, matrices, operations, operator_table, relations
 from .calculus import substituted
 from .operations import CONSTANTS, OPERATIONS, POSE, TENSOR, Kind, KindError, is_number
-from .printed import ATOM, LIST, Apply, Number, Symbol, Term, macro, takes_apart, walk
+from .printed import ATOM, LIST, Apply, Number, Symbol, Term, Trait, macro, takes_apart, walk
 
 POWER_MAX = 64
 """Largest power that is a written number."""
@@ -175,15 +175,21 @@ CALLS: dict[str, tuple[Kind, ...]] = {}
 def _call(abbreviation: Abbreviation, arguments: Sequence[Term], kinds: tuple[Kind, ...]) -> Term:
     """Return the term of a call: one operator for each list of kinds, since the meaning follows from them."""
     printed = abbreviation.latex if "#" in abbreviation.latex else ""
-    name = f"{CALL}{'; '.join(map(str, kinds))}{printed}"
+    relation = abbreviation.known[kinds][1] == "truth"
+    name = f"{CALL}{'; '.join(map(str, kinds))}{' relation' * relation}{printed}"
     if name not in CALLS:
         places = ", ".join(f"{{{i}}}" for i in range(1, len(kinds) + 1))
         shown = (rf"{{0}}\left({places}\right)", f"{{0}}({places})") if kinds else ("{0}", "{0}")
         if printed:
             shown = macro(printed, 1), shown[1]
-        operator_table.define(name, *shown, ATOM, (LIST,), lambda env, f, *values: f(*values) if values else f)
+        traits = Trait.DELICATE if relation else Trait.NONE
+        operator_table.define(name, *shown, ATOM, (LIST,), _called, traits=traits)
         CALLS[name] = kinds
     return Apply(name, abbreviation.symbol(kinds), *arguments)
+
+
+def _called(env: Any, f: Any, *arguments: Any) -> Any:
+    return f(*arguments) if arguments else f
 
 
 GREEK = re.findall(
