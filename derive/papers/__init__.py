@@ -52,7 +52,6 @@ from .run import SECONDS, decide_each
 from .sheet import Sheet, SheetError, claim_alone, load, sheet
 
 
-
 def registered(slug: str) -> Paper:
     """Return a paper of this folder: a file of claims, or a package with its `PAPER`."""
     name = slug.replace("-", "_")

@@ -120,8 +120,9 @@ class Entry(Typeset):
 def _entry_at(source: str, number: str) -> Entry:
     """Return the entry with a number that a module or file of a registered paper defines."""
     papers = importlib.import_module(__package__).PAPERS
-    found = (entry for paper in papers for entry in paper.entries() if (entry.source, entry.number) == (source, number))
-    return next(found)
+    entries = (entry for paper in papers for entry in paper.entries())
+    found: Entry = next(entry for entry in entries if (entry.source, entry.number) == (source, number))
+    return found
 
 
 def equation(number: str, title: str, line: int, printed: Term | tuple[Reading, ...], **rest: Any) -> Entry:
@@ -146,15 +147,14 @@ def characters(formula: str) -> str:
     return formula
 
 
-def faithful(entry: Entry, statement: Term, lost: str) -> bool:
-    """Return whether a statement has the same characters as the extract, in order, apart from lost ones and spaces.
+def faithful(reading: Term, extract: str, lost: str, typeset: bool = False) -> bool:
+    """Return whether a reading has the same characters as the extract, in order, apart from lost ones and spaces.
 
-    A tilde may precede or follow the index of its symbol.
+    A tilde may precede or follow the index of its symbol. A `typeset` extract is LaTeX.
     """
     drop = str.maketrans("", "", lost + " ")
-    lines = (latex(statement), entry.extract) if entry.typeset else (text(statement), entry.extract)
-    shown = map(characters, lines) if entry.typeset else lines
-    left, right = (re.sub(r"~(\d+)", r"\1~", line.translate(drop)) for line in shown)
+    lines = map(characters, (latex(reading), extract)) if typeset else (text(reading), extract)
+    left, right = (re.sub(r"~(\d+)", r"\1~", line.translate(drop)) for line in lines)
     return left == right
 
 

@@ -19,9 +19,9 @@ from .equation import Entry, Points, Reading
 from .judge import COMPONENTWISE
 from .language.claims import CALL, CALLS, ClaimError, Reader, Scope, statement, tree
 from .language.environment import Definition, Env, let
-from .language.operator_table import nonzero
 from .language.operations import is_number
 from .language.operations import name as kind_name
+from .language.operator_table import nonzero
 from .language.printed import Apply, Number, Symbol, Term, Trait, shown_as, symbols, walk, with_trait
 from .language.relations import unlike
 from .language.written import written

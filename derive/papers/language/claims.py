@@ -11,7 +11,7 @@ from itertools import pairwise
 from typing import Any
 
 from ...maps.any_phi.grammar import Grammar, source
-from . import calculus, matrices, operations, operator_table, relations
+from . import matrices, operations, operator_table, relations
 from .calculus import substituted
 from .operations import CONSTANTS, OPERATIONS, POSE, TENSOR, Kind, KindError, is_number
 from .printed import ATOM, LIST, Apply, Number, Symbol, Term, Trait, macro, takes_apart, walk
@@ -385,7 +385,7 @@ class Reader:
         return OPERATIONS[name].term(body, at, at, *(term for term, _ in rest)), OPERATIONS[name].kind(name, kinds)
 
     def _local(self, name: str, node: ast.Call, letter: str, place: int) -> tuple[Term, Kind]:
-        """Return the term of an operation whose letter is local: a sum, limit or integral, or a claim for every index."""
+        """Return the term of an operation whose letter is local, such as a sum or limit."""
         kind = "integer" if name in COUNTED else "number"
         symbol = Symbol(letter, "index", latex_of(letter), letter)
         inside = Reader(self.text, self.scope.with_letter(letter, symbol, kind))

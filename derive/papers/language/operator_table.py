@@ -181,8 +181,7 @@ def _every(env: Env, index: Term, low: Term, high: Term, body: Term) -> bool:
     return all(env.bound(index, k).value(body) for k in range(env.value(low), env.value(high) + 1))
 
 
-every = define("every", r"{3} \quad \text{{for every ${0} = {1}, …, {2}$}}", "{3}", LIST, (LIST, LIST, LIST, LIST), _every,
-               lazy=True)
+every = define("every", r"{3} \quad \text{{for every ${0} = {1}, …, {2}$}}", "{3}", LIST, (LIST,), _every, lazy=True)
 summation = define("sum", r"\sum_{{{0}={1}}}^{{{2}}} {3}", "{0}={1}{2}{3}", PRODUCT, (LIST, LIST, LIST, PRODUCT),
                    _sum, lazy=True)
 
