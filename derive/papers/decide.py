@@ -60,8 +60,7 @@ def decide(paper: str, entry: Entry, lost: str, orders: Sequence[int] = ORDERS) 
 
 def _check(entry: Entry, lost: str) -> None:
     """Raise if an entry lacks a part that another part needs, or does not agree with the extracted text."""
-    same = partial(faithful, extract=entry.extract, lost=lost, typeset=entry.typeset)
-    unfaithful = not all(same(reading.statement) for reading in entry.readings)
+    unfaithful = not all(faithful(reading.statement, entry.extract, lost) for reading in entry.readings)
     mistakes = {
         "an argument leads on from an identity that is proved": entry.argument and entry.because is None,
         "rates are nested, which claims of files may do": any(rate_depth(r.statement) > 1 for r in entry.readings),
@@ -69,7 +68,7 @@ def _check(entry: Entry, lost: str) -> None:
         f"a reading does not have the characters of line {entry.line}": entry.extract and unfaithful,
         "an erratum shows the words of the paper": entry.corrected is not None and not (entry.extract or entry.said),
         f"the correction is a reading of line {entry.line}":
-            entry.corrected is not None and entry.extract and same(entry.corrected),
+            entry.corrected is not None and entry.extract and faithful(entry.corrected, entry.extract, lost),
     }
     for mistake, made in mistakes.items():
         if made:

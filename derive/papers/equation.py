@@ -69,7 +69,6 @@ class Entry(Typeset):
     orders: tuple[int, ...] | None = None  # orders that the entry is about; all by default
     branches: int | None = None  # number of values of a branch symbol; n by default
     components: bool = False  # whether single components occur; then no frame is chosen along the vectors
-    typeset: bool = False  # whether the extract is LaTeX
     lost: str = ""  # further characters lost by the extraction in this display
     fixed_by: str = ""  # legible passage that decides between the readings
     said: str = ""  # words of the paper, for a claim without a display
@@ -131,6 +130,10 @@ def equation(number: str, title: str, line: int, printed: Term | tuple[Reading, 
     return Entry(number, title, line, rest.pop("extract", ""), readings, **rest)
 
 
+class Latex(str):
+    """Extract that is LaTeX."""
+
+
 _LATEX = (
     (r"\\text\{[^{}]*\}", ""),  # words, which are not the paper's
     (r"\\mathbf\{\\hat\{r\}\}|\^\{\\mathbf\{r\}\}|\\vec\b", ""),  # arrows; the first two are extracted as letters
@@ -147,13 +150,13 @@ def characters(formula: str) -> str:
     return formula
 
 
-def faithful(reading: Term, extract: str, lost: str, typeset: bool = False) -> bool:
+def faithful(reading: Term, extract: str, lost: str) -> bool:
     """Return whether a reading has the same characters as the extract, in order, apart from lost ones and spaces.
 
-    A tilde may precede or follow the index of its symbol. A `typeset` extract is LaTeX.
+    A tilde may precede or follow the index of its symbol.
     """
     drop = str.maketrans("", "", lost + " ")
-    lines = map(characters, (latex(reading), extract)) if typeset else (text(reading), extract)
+    lines = map(characters, (latex(reading), extract)) if isinstance(extract, Latex) else (text(reading), extract)
     left, right = (re.sub(r"~(\d+)", r"\1~", line.translate(drop)) for line in lines)
     return left == right
 

@@ -15,7 +15,7 @@ from mpmath import mpf
 
 from ..algebra import Dual, Structure
 from .claim import operators
-from .equation import Entry, Points, Reading
+from .equation import Entry, Latex, Points, Reading
 from .judge import COMPONENTWISE
 from .language.claims import CALL, CALLS, ClaimError, Reader, Scope, statement, tree
 from .language.environment import Definition, Env, let
@@ -29,6 +29,10 @@ from .numbers.draw import Draw
 from .numbers.fields import Decimal60
 
 READING_KEYS = ("claim", "note", "supported_by")
+FRAMED = COMPONENTWISE | {"vector"}
+"""First words of operators that depend on the frame."""
+
+
 @dataclass(frozen=True)
 class Transcript:
     """What all entries of a transcript share."""
@@ -48,18 +52,19 @@ class Transcript:
         domain, condition, corrected, because = (
             self._read(row, key) if key in row else None for key in ("domain", "condition", "corrected", "because")
         )
-        parts = [r.statement for r in readings]
-        parts += [part for part in (domain, condition, corrected, because) if part is not None]
-        found = dict(self._definitions(parts)).values()
-        inside = [*parts, *(body for _, body in found)]
+        found = (*(r.statement for r in readings), domain, condition, corrected, because)
+        parts = [part for part in found if part is not None]
+        definitions = dict(self._definitions(parts)).values()
+        inside = [*parts, *(body for _, body in definitions)]
+        heads = {name.split()[0] for name in operators(*inside) if name}
         line = row.get("line", 0)
         entry = Entry(
-            row["number"], row.get("title", ""), line, row.get("latex", ""), readings, tuple(d for d, _ in found),
-            domain, (line, row["stated"]) if "stated" in row else None, _sharp(condition), corrected, because,
-            moving=bool(with_trait(Trait.RATE, *inside)), lost=row.get("lost", ""), fixed_by=row.get("fixed_by", ""),
-            components=not COMPONENTWISE.isdisjoint(name.split()[0] for name in operators(*inside) if name),
-            said=row.get("said", ""), remark=row.get("remark", ""), source=self.source, at=self._section(line),
-            abbreviations=self.scope.abbreviations, typeset=True,
+            row["number"], row.get("title", ""), line, Latex(row.get("latex", "")), readings,
+            where=tuple(definition for definition, _ in definitions), claimed=domain, condition=_sharp(condition),
+            stated=(line, row["stated"]) if "stated" in row else None, corrected=corrected, because=because,
+            moving=bool(with_trait(Trait.RATE, *inside)), components=bool(heads & FRAMED), source=self.source,
+            at=self._section(line), abbreviations=self.scope.abbreviations,
+            **{key: row[key] for key in ("lost", "fixed_by", "said", "remark") if key in row},
         )  # fmt: skip
         return replace(entry, also=self._also({a for part in parts for a in entry.free(part)}))
 

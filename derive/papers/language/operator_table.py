@@ -177,11 +177,6 @@ def _sum(env: Env, index: Term, low: Term, high: Term, body: Term) -> Any:
     return total
 
 
-def _every(env: Env, index: Term, low: Term, high: Term, body: Term) -> bool:
-    return all(env.bound(index, k).value(body) for k in range(env.value(low), env.value(high) + 1))
-
-
-every = define("every", r"{3} \quad \text{{for every ${0} = {1}, …, {2}$}}", "{3}", LIST, (LIST,), _every, lazy=True)
 summation = define("sum", r"\sum_{{{0}={1}}}^{{{2}}} {3}", "{0}={1}{2}{3}", PRODUCT, (LIST, LIST, LIST, PRODUCT),
                    _sum, lazy=True)
 
@@ -194,6 +189,13 @@ def _floor(env: Env, a: Any, b: int) -> int:
 
 floor_over = define("floor", r"\left\lfloor {0}/{1} \right\rfloor", "{0}/{1}", ATOM, (ATOM, ATOM), _floor)
 binomial = define("binomial", r"\binom{{{0}}}{{{1}}}", "{0} {1}", ATOM, (LIST, LIST), _counting(math.comb))
+
+
+def _every(env: Env, index: Term, low: Term, high: Term, body: Term) -> bool:
+    return all(env.bound(index, k).value(body) for k in range(env.value(low), env.value(high) + 1))
+
+
+every = define("every", r"{3} \quad \text{{for every ${0} = {1}, …, {2}$}}", "{3}", LIST, (LIST,), _every, lazy=True)
 
 
 # ---- dual parts -----------------------------------------------------------------------------------------------
