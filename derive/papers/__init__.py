@@ -152,9 +152,10 @@ def verify(
     [<Result condurache-popa-2023 (112): erratum>]
     """
     papers: list[Paper] = [p for p in PAPERS if paper in (None, p.slug)]
+    file = None
     if not papers and paper is not None and Path(paper).suffix == ".toml":
-        papers = [found := load(paper)]
-        for problem in found.problems:
+        papers = [file := load(paper)]
+        for problem in file.problems:
             warnings.warn(str(problem), stacklevel=2)
     if not papers:
         raise ValueError(f"no paper {str(paper)!r}: expected {' or '.join(p.slug for p in PAPERS)}, or a file *.toml")
@@ -164,9 +165,9 @@ def verify(
     missing = sorted(set(wanted or ()) - {e.number for _, e in chosen})
     if missing:
         raise ValueError(f"no equation {', '.join(missing)}")
-    if isinstance(papers[0], Sheet) and not papers[0].stated:
+    if file is not None:
         with bar(len(chosen)) as step:
-            return check_sheets([papers[0]], wanted, seconds, step)
+            return check_sheets([file], wanted, seconds, step)
     results: Listing[Result] = Listing()
     with bar(len(chosen)) if progress is None else nullcontext(no_op) as step:
         for done, (source, entry) in enumerate(chosen, 1):

@@ -3,16 +3,20 @@
 from __future__ import annotations
 
 import json
+import re
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 import pytest
 
+import derive
 from derive.papers import PAPERS, Status, UndecidedError
 from derive.papers.decide import decide
 from derive.papers.equation import characters
 from derive.papers.sheet import Sheet, sheet
+from tests.support.command import dualcay
+from tests.support.imports import ROOT
 
 PAPER = PAPERS[1]
 AMBIGUOUS = {"conclusion-22"}
@@ -57,7 +61,7 @@ def test_domain_of_14_ends_at_a_half_turn(results) -> None:
 def test_frame_is_not_chosen_if_components_are_read() -> None:
     components = {entry.number for entry in PAPER.entries() if entry.components}
     assert {"skew-entries", "matrix", "vector", "14", "18", "denominators"} <= components
-    assert components.isdisjoint({"length", "module", "1", "7", "positions"})
+    assert components.isdisjoint({"length", "module", "7", "positions"})
 
 
 # ---- the file --------------------------------------------------------------------------------------------------------
@@ -108,6 +112,22 @@ def test_points_of_the_file_reach_what_no_drawn_value_does() -> None:
 def test_what_cannot_be_read_is_one_line(old: str, new: str, problem: str) -> None:
     (found,) = altered(old, new).problems
     assert str(found).startswith(f"altered.toml: {problem}")
+
+
+TRANSCRIPT = re.search(r"```toml\n(.*?)```", (ROOT / "docs/howto/extend.md").read_text("utf-8"), re.DOTALL)[1]
+"""Example of the page on papers."""
+
+
+def test_transcript_of_a_user_is_decided_without_registration(tmp_path: Path) -> None:
+    wrong = '[[equation]]\nnumber = "4"\nlatex = "f = f^{*}"\nclaim = "f == fs"\n'
+    (tmp_path / "mine.toml").write_text(TRANSCRIPT + wrong, encoding="utf-8")
+    right, false = derive.verify(tmp_path / "mine.toml")
+    assert (right.status, right.method, right.exact) == (Status.HOLDS_IF, "exact", True)
+    assert false.status is Status.UNDECIDED
+    assert false.method.startswith("(4) is false and has no correction: refuted at ")
+    shown = dualcay("verify", str(tmp_path / "mine.toml"), "--strict")
+    assert shown.returncode == 1
+    assert "(4) is false" in shown.stdout
 
 
 def test_characters_of_printed_latex() -> None:
