@@ -80,9 +80,10 @@ class Guess(ABC):
         angle = m.name("guess", self.lowered(x, r, m))
         for step in range(self.steps):
             at = PhiValues(m.corrected(angle), m)
-            change = m.div(at.derivative(self.phi, 0) - r, at.derivative(self.phi, 1))
-            if self.to_fold:  # φ′ = 0 at the edge, which the guess meets
-                change = m.where(m.less(plus(angle, -self.edge, m, f"before{step}"), 0), change, 0)
+            change = m.name(f"change{step}", m.div(at.derivative(self.phi, 0) - r, at.derivative(self.phi, 1)))
+            if self.to_fold:  # where a step is longer than the way to the edge, φ′ is near 0 and the step is noise
+                left = m.name(f"left{step}", -plus(angle, -self.edge, m, f"before{step}"))
+                change = m.where(m.less(m.abs(change), left), change, 0)
             angle = m.name(f"alpha{step}", angle - change)
         return angle
 
@@ -335,7 +336,10 @@ def _needed(at: Intervals, edge: Edge, found: Guess, low: Any, high: Any, least:
     left = low if edge.kind == "cut" else found.edge - high
     try:
         if not isinstance(found, Halved):
-            return _steps(at, found.phi, found.error(at, low, high), low, high, left)
+            error = found.error(at, low, high)
+            if found.to_fold and 4 * error > left:
+                return None  # a step could be longer than the way to the edge
+            return _steps(at, found.phi, error, low, high, left)
         for count in range(least, HALVINGS_MAX):
             error = replace(found, count=count).error(at, low, high)
             steps = _steps(at, found.f, error, low, high, found.edge if found.order else left, found.bends)
