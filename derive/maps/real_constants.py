@@ -112,13 +112,14 @@ def times(number: Any, value: Coefficient, m: Arithmetic, name: str, levels: int
 
 
 def plus(value: Coefficient, number: Any, m: Arithmetic, name: str, levels: int = LEVELS) -> Coefficient:
-    """Return a value plus a real number."""
+    """Return a value plus a real number; no power of two multiplies the value, which may be near overflow."""
     if is_small(number):
         return value + number
     split = polynomial([number], levels=levels)
-    total, below = value, split.shift
+    total, below = m.name(f"{name}_of", value), split.shift
+    one = m.name(f"{name}_one", value - value + 1)
     for (digit,) in split.levels:
-        total = shifted(shifted(total, -below, m) + digit, below, m)
+        total = total + shifted(digit * one, below, m)
         below += BITS
     return m.name(name, total)
 

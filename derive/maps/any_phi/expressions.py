@@ -74,9 +74,15 @@ def expression_of(phi: Any, order: int | None) -> sympy.Expr:
 
 
 def _in_quotients(phi: sympy.Expr) -> sympy.Expr:
+    """Replace `QUOTIENTS`, and products of tangent and cosine, which SymPy keeps, by sines."""
     for function, quotient in QUOTIENTS.items():
         phi = phi.replace(function, quotient)
-    return phi
+    return phi.replace(lambda e: e.is_Mul, _without_common_cosines)
+
+
+def _without_common_cosines(product: sympy.Expr) -> sympy.Expr:
+    cosines = {factor.as_base_exp()[0].args[0] for factor in product.args if factor.as_base_exp()[0].func == sympy.cos}
+    return product.xreplace({sympy.tan(u): sympy.sin(u) / sympy.cos(u) for u in cosines})
 
 
 def parsed(text: str, order: int | None = None) -> sympy.Expr:
