@@ -167,7 +167,7 @@ class Fitted(Guess):
     def error(self, at: Intervals, low: Any, high: Any) -> Any:
         """Return a bound of the error: of the guess at the middle, and by the mean value theorem beside it."""
         middle, whole = (low + high) / 2, at.interval(low, high)
-        (_, z), *ends = ((r, self.variable.of(r * r, r, PLAIN)) for r in map(self._length, (middle, low, high)))
+        (_, z), *ends = map(self._place, (middle, low, high))
         off = max(abs(end - z) for _, end in ends)
         g, steep, bend = self._guess(z, off)
         slope = at.interval(steep - off * bend, steep + off * bend)
@@ -175,8 +175,17 @@ class Fitted(Guess):
         drift = at.size(rates * at.enclosure(_derivatives(self.phi)[0], whole) - 1)[1]
         return abs(g - middle) + (high - low) / 2 * drift
 
-    def _length(self, angle: Any) -> Any:
-        return real_value(self.phi, angle, self.phi)
+    @cached_property
+    def _places(self) -> dict[Any, tuple[Any, Any]]:
+        """Cache of `_place`: an interval shares its ends with its neighbours, and its middle with its halves."""
+        return {}
+
+    def _place(self, angle: Any) -> tuple[Any, Any]:
+        """Return the length and the variable at an angle."""
+        if angle not in self._places:
+            r = real_value(self.phi, angle, self.phi)
+            self._places[angle] = r, self.variable.of(r * r, r, PLAIN)
+        return self._places[angle]
 
     def _guess(self, z: Any, off: Any) -> tuple[Any, Any, Any]:
         """Return the guess at z, its derivative there, and a bound of its second derivative not further than off."""
