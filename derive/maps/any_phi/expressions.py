@@ -70,6 +70,14 @@ def expression_of(phi: Any, order: int | None) -> sympy.Expr:
         raise PhiError(f"phi = {phi} holds the symbol {same}: its only symbol is derive.alpha")
     if other := sorted({f.func.__name__ for f in phi.atoms(sympy.Function) if f.func not in KNOWN}):
         raise PhiError(f"phi = {phi} holds {', '.join(other)}; known functions are {', '.join(grammar.FUNCTIONS)}")
+    return _real(phi)
+
+
+def _real(phi: sympy.Expr) -> sympy.Expr:
+    """Return an expression in quotients; refuse one with a constant that is no real number."""
+    constants = (part for part in sympy.preorder_traversal(phi) if not part.free_symbols)
+    if (wrong := next((part for part in constants if not (part.is_comparable and part.is_finite)), None)) is not None:
+        raise PhiError(f"phi = {phi} holds {wrong}, which is no real number")
     return _in_quotients(phi)
 
 
@@ -95,7 +103,7 @@ def parsed(text: str, order: int | None = None) -> sympy.Expr:
         raise PhiError(f"phi divides by zero: {text!r}") from None
     if found.has(sympy.zoo, sympy.nan, sympy.oo, -sympy.oo):
         raise PhiError(f"phi divides by zero: {text!r}")
-    return _in_quotients(found)
+    return _real(found)
 
 
 class _Builder:
