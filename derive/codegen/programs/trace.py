@@ -13,6 +13,13 @@ from .program import Assignment, Call, Operand, Program, Statement
 from .value import Folding, Number, Value, label
 
 COMMUTATIVE = frozenset({"add", "mul", "eq", "and", "or"})
+KEYWORDS = frozenset(
+    "and asm auto bool break case catch char class const continue default delete do double else enum explicit export "
+    "extern false float for friend goto if inline int long mutable namespace new not operator or private protected "
+    "public register restrict return short signed sizeof static struct switch template this throw true try typedef "
+    "typename union unsigned using virtual void volatile while xor def from import in is lambda pass raise".split()
+)
+"""Keywords of C, C++ and Python, which name no value: every program is printed in each language."""
 
 
 class Trace(Folding):
@@ -61,8 +68,8 @@ class Trace(Folding):
         self._rest = letter
 
     def _rename(self, value: Value, name: str) -> None:
-        if name in self._taken:
-            raise ValueError(f"the name {name!r} is already taken in this program")
+        if name in self._taken or name in KEYWORDS:
+            raise ValueError(f"the name {name!r} is already taken in this program, or is a keyword")
         value.name = name
         self._taken.add(name)
 
