@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="d5aebc56211e79ae",
+    programs="0496812544013a49",
 )
 
 KERNELS = RotationKernels(CHART)
