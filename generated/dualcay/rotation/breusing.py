@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="0496812544013a49",
+    programs="f55076ac1c39432e",
 )
 
 KERNELS = RotationKernels(CHART)
