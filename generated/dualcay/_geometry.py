@@ -722,7 +722,7 @@ def from_quaternion(m: Any, c: Any, e: Components) -> Result:
     square = e0 * e0 + (e1 * e1 + e2 * e2 + e3 * e3)
     size = m.sqrt(square)
     inverse = 1 / square
-    whole = size + inverse
+    whole = square + inverse
     return (
         vector_of(m, c, (e0, e1, e2, e3), size, whole, ((e1o * e0 - e1 * e0o + (e2 * e3o - e3 * e2o)) * inverse, (e2o
         * e0 - e2 * e0o + (e3 * e1o - e1 * e3o)) * inverse, (e3o * e0 - e3 * e0o + (e1 * e2o - e2 * e1o)) * inverse))

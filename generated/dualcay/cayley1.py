@@ -202,7 +202,7 @@ CHART = Chart(
         _unfolded, _reached, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="c459c4bb4612901b",
+    programs="881aa47a94e3fd5f",
 )
 
 KERNELS = PoseKernels(CHART)

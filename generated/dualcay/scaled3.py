@@ -35,7 +35,7 @@ ORDER = 3
 
 
 CHART = multiple(
-    BASE, __name__, 6, 1, constant=('inside',), programs="05101fb8c95be0b6"
+    BASE, __name__, 6, 1, constant=('inside',), programs="bd3fcd75d47f061e"
 )
 
 KERNELS = PoseKernels(CHART)

@@ -35,7 +35,7 @@ ORDER = 4
 
 
 CHART = multiple(
-    BASE, __name__, 8, 1, constant=('inside',), programs="60acfd86e1e5ad5e"
+    BASE, __name__, 8, 1, constant=('inside',), programs="46765ac1ddbcb65c"
 )
 
 KERNELS = PoseKernels(CHART)

@@ -35,7 +35,7 @@ ORDER = 5
 
 
 CHART = multiple(
-    BASE, __name__, 10, 1, constant=('inside',), programs="f23474d6ae525c1a"
+    BASE, __name__, 10, 1, constant=('inside',), programs="aa1f3d0ba8ce9a2b"
 )
 
 KERNELS = PoseKernels(CHART)

@@ -387,7 +387,7 @@ def from_quaternion(m: Any, c: Any, e: Components) -> Result:
     square = e0 * e0 + (e1 * e1 + e2 * e2 + e3 * e3)
     size = m.sqrt(square)
     inverse = 1 / square
-    whole = size + inverse
+    whole = square + inverse
     return vector_of(m, c, e, size, whole)
 
 

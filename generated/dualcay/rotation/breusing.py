@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="d5aebc56211e79ae",
+    programs="f55076ac1c39432e",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="7b0cdb85d2f4f188",
+    programs="9bbf8ebf123460d5",
 )
 
 KERNELS = RotationKernels(CHART)

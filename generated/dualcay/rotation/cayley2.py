@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="a0a94f9f218eda9f",
+    programs="4e7170143d2203a1",
 )
 
 KERNELS = RotationKernels(CHART)

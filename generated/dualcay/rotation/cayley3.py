@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="dd0de6cd7eb89fcd",
+    programs="e0233df9c79b5db4",
 )
 
 KERNELS = RotationKernels(CHART)

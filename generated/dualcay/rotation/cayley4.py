@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="0f7105d7915c6e8e",
+    programs="88393cf25d0b8510",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="bccbea41f3d5e631",
+    programs="7c6acd8b70b46f46",
 )
 
 KERNELS = RotationKernels(CHART)

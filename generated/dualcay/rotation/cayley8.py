@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="b2544151c1fffb97",
+    programs="035ab49f30c712e0",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="01c5176d6ef6ea68",
+    programs="1913fe2cf1579dbe",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="3f9ca1df2bddeb17",
+    programs="0a7b1b06b7665f2a",
     ends=True,
 )
 

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="d7bc21279ae356e3",
+    programs="c93a06813e339286",
     ends=True,
 )
 

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="27880627a38345b4",
+    programs="f24ee43d68cc58fe",
 )
 
 KERNELS = RotationKernels(CHART)

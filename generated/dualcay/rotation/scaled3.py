@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="a3b7344cd9726e07",
+    programs="dad1f26f059420cb",
 )
 
 KERNELS = RotationKernels(CHART)

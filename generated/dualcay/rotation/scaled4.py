@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="f81124a46ab26e05",
+    programs="6ef9a30852bf8714",
 )
 
 KERNELS = RotationKernels(CHART)

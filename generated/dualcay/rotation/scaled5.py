@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="144a59dc08d4bc45",
+    programs="161ec01a8c78f23c",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="1e25a2df2ce079d3",
+    programs="154b3c5f7fe81070",
     ends=True,
 )
 

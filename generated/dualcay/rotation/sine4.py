@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="2e56cf865531a2f8",
+    programs="cd507877910b110e",
     ends=True,
 )
 

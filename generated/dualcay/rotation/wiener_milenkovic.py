@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="559e9197c3957475",
+    programs="09afdbeadd5a50d6",
 )
 
 KERNELS = RotationKernels(CHART)
