@@ -188,7 +188,8 @@ class Call:
         crowd = _tuple(function(*(np.repeat(array[None], CROWD, axis=0) for array in self.given)))
         among = tuple(part[-1] for part in crowd)
         reason = self._wrong(among)
-        if alone[0].dtype == np.float32 and not self.row.real and self.chart.singles_in_double:
+        in_double = not self.row.real and self.chart.singles_in_double and self.fate != OUTSIDE  # else no root is real
+        if alone[0].dtype == np.float32 and in_double:
             reason = reason or self._rounded(function, alone)
         elif not (reason := reason or self._wrong(alone)) and [*map(_finite, alone)] != [*map(_finite, among)]:
             reason = f"single and batch are finite in other places: {alone}, {among}"
