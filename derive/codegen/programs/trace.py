@@ -5,6 +5,7 @@ Equal operations are recorded once, constants are folded, and operations that no
 
 from __future__ import annotations
 
+import keyword
 from collections import Counter
 from collections.abc import Collection, Iterable, Sequence
 from dataclasses import replace
@@ -13,13 +14,13 @@ from .program import Assignment, Call, Operand, Program, Statement
 from .value import Folding, Number, Value, label
 
 COMMUTATIVE = frozenset({"add", "mul", "eq", "and", "or"})
-KEYWORDS = frozenset(
-    "and asm auto bool break case catch char class const continue default delete do double else enum explicit export "
-    "extern false float for friend goto if inline int long mutable namespace new not operator or private protected "
-    "public register restrict return short signed sizeof static struct switch template this throw true try typedef "
-    "typename union unsigned using virtual void volatile while xor def from import in is lambda pass raise".split()
+OF_C = (
+    "asm auto bool case catch char const default delete do double enum explicit export extern false float friend goto "
+    "inline int long mutable namespace new operator or private protected public register restrict short signed sizeof "
+    "static struct switch template this throw true typedef typename union unsigned using virtual void volatile"
 )
-"""Keywords of C, C++ and Python, which name no value: every program is printed in each language."""
+KEYWORDS = frozenset((*keyword.kwlist, *OF_C.split()))
+"""Keywords of Python, C and C++, which name no value: every program is printed in each language."""
 
 
 class Trace(Folding):

@@ -38,7 +38,7 @@ STEP = mpmath.mpf(1) / 8
 """Largest width of an interval, in rad."""
 LEAST_STEP, WINDOW = mpmath.ldexp(1, -70), mpmath.ldexp(1, -50)
 """Width below which a point is taken for an edge, and the range beyond it where the edge is looked for."""
-CELLS_MAX = 8_000
+CELLS_MAX = 6_000
 """Largest number of intervals; a φ that needs more is refused."""
 BESIDE = mpmath.ldexp(1, -190)
 """Distance from a singular point up to which statements are proved."""
@@ -185,7 +185,8 @@ def _order(at: Intervals, phi: sympy.Expr, slope: sympy.Expr, root: Any) -> symp
     if not _is_regular(at, rest, root - WINDOW, root):
         raise PhiError(f"nothing proves that phi = {phi} goes to infinity at {where}, where it is singular")
     if order < 1:
-        raise PhiError(f"phi = {phi} is singular at {where}, where it is finite: a chart ends at a turn or a pole of phi")
+        ends = "a chart ends where phi turns or is infinite"
+        raise PhiError(f"phi = {phi} is singular at {where}, where it is finite: {ends}")
     return order - 1
 
 

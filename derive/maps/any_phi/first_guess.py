@@ -67,9 +67,9 @@ class Guess(ABC):
     steps: int
 
     @property
-    def to_fold(self) -> bool:
-        """True if the guess is the edge itself at a fold."""
-        return False
+    def to_edge(self) -> bool:
+        """Tell whether φ′ is 0 or infinite at the edge."""
+        return bool(mpmath.isinf(self.size))
 
     @abstractmethod
     def lowered(self, x: Coefficient, r: Coefficient, m: Arithmetic) -> Coefficient:
@@ -81,7 +81,7 @@ class Guess(ABC):
         for step in range(self.steps):
             at = PhiValues(m.corrected(angle), m)
             change = m.name(f"change{step}", m.div(at.derivative(self.phi, 0) - r, at.derivative(self.phi, 1)))
-            if self.to_fold:  # where a step is longer than the way to the edge, φ′ is near 0 and the step is noise
+            if self.to_edge:  # beside a fold or pole, rounding makes a step that is longer than the way to the edge
                 left = m.name(f"left{step}", -plus(angle, -self.edge, m, f"before{step}"))
                 change = m.where(m.less(m.abs(change), left), change, 0)
             angle = m.name(f"alpha{step}", angle - change)
@@ -156,8 +156,8 @@ class Fitted(Guess):
     polynomial: Polynomial
 
     @property
-    def to_fold(self) -> bool:
-        return self.variable.from_edge and bool(mpmath.isfinite(self.size))
+    def to_edge(self) -> bool:
+        return self.variable.from_edge
 
     def lowered(self, x: Coefficient, r: Coefficient, m: Arithmetic) -> Coefficient:
         z = m.name("z", self.variable.of(x, r, m))
@@ -346,7 +346,7 @@ def _needed(at: Intervals, edge: Edge, found: Guess, low: Any, high: Any, least:
     try:
         if not isinstance(found, Halved):
             error = found.error(at, low, high)
-            if found.to_fold and 4 * error > left:
+            if found.to_edge and 4 * error > left:
                 return None  # a step could be longer than the way to the edge
             return _steps(at, found.phi, error, low, high, left)
         for count in range(least, HALVINGS_MAX):
