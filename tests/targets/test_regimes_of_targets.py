@@ -110,7 +110,7 @@ def wrong(functions: Functions, table: str, name: str, place: int, share: int, d
     return [reason for reason in (call.judged() for call in calls(chart, place, share, dtype)) if reason]
 
 
-SAMPLE = [("numpy", "rotation", "lambert"), ("jax", "rotation", "cayley3"), ("jax", "rotation", "exponential")]
+SAMPLE = [("numpy", "rotation", "lambert"), ("numpy", "", "exponential"), ("jax", "rotation", "cayley3")]
 WHOLE = [("rotation", "lambert", np.float64), ("rotation", "lambert", np.float32), ("", "cayley3", np.float64),
          ("rotation", "exponential", np.float64)]  # fmt: skip
 
