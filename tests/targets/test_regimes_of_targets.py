@@ -90,7 +90,7 @@ def functions_of(
 
 
 def calls(chart: Subject, place: int, share: int, dtype: Any) -> Iterator[Call]:
-    """Yield calls in every regime, of one function in ``share``; the next regime takes others."""
+    """Yield in every regime a share of the calls of a share of the functions; the next regime takes others."""
     names = [name for name, row in chart.table.public.items() if regimes.takes_vectors(row)]
     names += [name for name in regimes.POSES_OF if name in chart.table.public]
     for turn, regime in enumerate(EVERY, place):
@@ -100,7 +100,7 @@ def calls(chart: Subject, place: int, share: int, dtype: Any) -> Iterator[Call]:
             inverse = name in regimes.POSES_OF
             if regime in (regimes.INVERSE_REGIMES if inverse else REGIMES):
                 found = list((regimes.inverse_calls if inverse else regimes.calls)(at, name, regime, dtype))
-                yield from found if share < 20 else found[turn % max(len(found), 1) :: 40]
+                yield from found[turn % max(len(found), 1) :: share]
 
 
 def wrong(functions: Functions, table: str, name: str, place: int, share: int, dtype: Any) -> list[str]:
