@@ -108,8 +108,10 @@ class Tape:
         truth = self.masks.issuperset((self.index(a), self.index(b)))
         if self.integer is None:
             return self.enter(where, mask, a, b, mask=truth)
-        recorded = isinstance(a, Number) or isinstance(b, Number)
-        differing = self.enter(np.bitwise_xor, a, b, mask=True) if recorded else self._constant_xor(a, b)
+        if isinstance(a, Number) or isinstance(b, Number):
+            differing = self.enter(np.bitwise_xor, a, b, mask=True)
+        else:
+            differing = self._constant_xor(a, b, self.integer)
         return self.enter(np.bitwise_xor, self.enter(np.bitwise_and, differing, mask, mask=True), b, mask=truth)
 
     def abs(self, a: Any) -> Number:
@@ -134,9 +136,9 @@ class Tape:
         """Return the entry number of a recorded number or a constant."""
         return operand.index if isinstance(operand, Number) else self._constant(repr(operand), operand).index
 
-    def _constant_xor(self, a: Any, b: Any) -> Number:
+    def _constant_xor(self, a: Any, b: Any, integer: np.dtype[Any]) -> Number:
         """Return the constant whose bits are those that differ between two constants."""
-        differing = np.array(a, self.dtype).view(self.integer) ^ np.array(b, self.dtype).view(self.integer)
+        differing = np.array(a, self.dtype).view(integer) ^ np.array(b, self.dtype).view(integer)
         return self._constant(hex(differing), differing.view(self.dtype))
 
     def _constant(self, key: str, value: Any) -> Number:

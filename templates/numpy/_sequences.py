@@ -137,7 +137,7 @@ def whole_turns(module: Any, rows: Rows, angle: Array) -> Array:
     if axis.shape[-1] == 6:
         shift = np.sum(module.pose(rows.v[rows.resting])[..., :3, 3] * axis[..., :3], axis=-1, keepdims=True)
         screw[..., 3:] += shift * axis[..., :3]
-    return np.asarray(module.from_exponential(screw.astype(rows.v.dtype)))
+    return np.asarray(module.from_exponential(screw))
 
 
 def same_pose(module: Any, one: Array, other: Array) -> Array:
