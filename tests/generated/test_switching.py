@@ -62,6 +62,7 @@ def test_arguments_that_need_no_switch_are_returned() -> None:
         v[0] = np.nan
         for got, given in zip(module.switch(v, np.ones_like(v)), (v, np.where(np.isnan(v), v, 1)), strict=True):
             np.testing.assert_array_equal(got, given)
+    assert np.isnan(dualcay.cayley1.switch(np.full(6, np.inf), np.ones(6))[1]).all()  # a chart with one branch too
     with pytest.raises(ValueError, match=r"covariance must have shape \(..., 6, 6\), got \(6,\)"):
         dualcay.cayley2.switch(np.zeros(6), covariance=np.zeros(6))
 
