@@ -5,7 +5,7 @@ from __future__ import annotations
 import importlib
 from collections.abc import Callable, Iterator
 from contextlib import ExitStack
-from functools import partial
+from functools import cache, partial
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -68,6 +68,11 @@ def functions_of(
     def package(target: str) -> Path:
         return shared(f"regimes_{target}", lambda place: packages.write((3,), target, place, list(CHARTS)[1:]))
 
+    @cache
+    def with_native() -> str:
+        site = shared("regimes_native", lambda place: native.build(place, CHARTS.values(), native.PLAIN)) / "site"
+        return stack.enter_context(native.found("with_native", site))
+
     def made(target: str, table: str, name: str, dtype: Any) -> Functions:
         path = ".".join(filter(None, (table, name)))
         if target == "c":
@@ -75,8 +80,7 @@ def functions_of(
             library = compiled(compiler(), package("c"), CHARTS[name], real, place, TABLES[table], QUICKLY)
             return partial(partial, of_c, CForm(library, real, TABLES[table]), TABLES[table], dtype)
         if target == "native":
-            site = shared(f"regimes_{name}", lambda place: native.build(place, [CHARTS[name]], native.PLAIN)) / "site"
-            module = importlib.import_module(f"{stack.enter_context(native.found('with_native', site))}.{path}")
+            module = importlib.import_module(f"{with_native()}.{path}")
             assert module.CHART.native
         elif target == "numba":
             patch.syspath_prepend(str(package("numba").parent))
