@@ -5,7 +5,7 @@ from __future__ import annotations
 import importlib
 from collections.abc import Callable, Iterator
 from contextlib import ExitStack
-from functools import partial
+from functools import cache, partial
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -41,12 +41,13 @@ class Facade:
         return self._functions(name) if name in self._table.public else getattr(self._kernels, name)
 
 
-def of_c(form: CForm, table: Table, name: str, *given: np.ndarray) -> Any:
-    """Call a C function with arrays of any leading axes; shadows are those of branch 1."""
+def of_c(form: CForm, table: Table, dtype: Any, name: str, *given: np.ndarray) -> Any:
+    """Call a C function of a type with arrays of any leading axes; shadows are those of branch 1."""
     row = table.public[name]
     shape = given[0].shape[: given[0].ndim - len(row.arguments[0].shape)]
-    flat = [np.ascontiguousarray(a).reshape(-1, array.size) for a, array in zip(given, row.arguments, strict=True)]
-    made = tuple(np.empty((len(flat[0]), array.size), given[0].dtype) for array in row.results)
+    pairs = zip(given, row.arguments, strict=True)
+    flat = [np.ascontiguousarray(a, dtype).reshape(-1, array.size) for a, array in pairs]
+    made = tuple(np.empty((len(flat[0]), array.size), dtype) for array in row.results)
     form.call(name, *flat, out=made, branch=int("shadow" in name), layout="aos")
     found = tuple(m.reshape((*shape, *array.shape)) for m, array in zip(made, row.results, strict=True))
     return found if len(found) > 1 else found[0]
@@ -67,15 +68,19 @@ def functions_of(
     def package(target: str) -> Path:
         return shared(f"regimes_{target}", lambda place: packages.write((3,), target, place, list(CHARTS)[1:]))
 
+    @cache
+    def with_native() -> str:
+        site = shared("regimes_native", lambda place: native.build(place, CHARTS.values(), native.PLAIN)) / "site"
+        return stack.enter_context(native.found("with_native", site))
+
     def made(target: str, table: str, name: str, dtype: Any) -> Functions:
         path = ".".join(filter(None, (table, name)))
         if target == "c":
             place, real = tmp_path_factory.mktemp("c"), {np.float64: "double", np.float32: "float"}[dtype]
             library = compiled(compiler(), package("c"), CHARTS[name], real, place, TABLES[table], QUICKLY)
-            return partial(partial, of_c, CForm(library, real, TABLES[table]), TABLES[table])
+            return partial(partial, of_c, CForm(library, real, TABLES[table]), TABLES[table], dtype)
         if target == "native":
-            site = shared(f"regimes_{name}", lambda place: native.build(place, [CHARTS[name]], native.PLAIN)) / "site"
-            module = importlib.import_module(f"{stack.enter_context(native.found('with_native', site))}.{path}")
+            module = importlib.import_module(f"{with_native()}.{path}")
             assert module.CHART.native
         elif target == "numba":
             patch.syspath_prepend(str(package("numba").parent))
