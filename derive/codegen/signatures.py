@@ -134,6 +134,9 @@ _ROWS = (
     Function("adjoint", (V,), (_jacobian("adjoint"),), groups.adjoint),
     Function("transform_point_jacobians", (V, POINT), (BY_V_OF_POINT, BY_POINT), groups.transform_point_jacobians),
     Function("transform_line_jacobians", (V, LINE), (BY_V, BY_LINE), groups.transform_line_jacobians, rotation=None),
+    _by_exponential("step_jacobians", (DELTA, *TWO), BY_TWO, retraction.step_jacobians, public=False),
+    _by_exponential("local_jacobians", TWO, BY_TWO, retraction.local_jacobians),
+    _by_exponential("body_local_jacobians", TWO, BY_TWO, retraction.body_local_jacobians),
 )
 
 POSES = Table.of("", _ROWS)

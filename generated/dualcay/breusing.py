@@ -365,7 +365,7 @@ CHART = Chart(
         _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="267d9d379c62c10f",
+    programs="d8a88bdc899503d2",
 )
 
 KERNELS = PoseKernels(CHART)

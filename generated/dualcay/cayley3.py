@@ -310,7 +310,7 @@ CHART = Chart(
         _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="7484b73d7bf1fe56",
+    programs="7dd2687504bedcce",
 )
 
 KERNELS = PoseKernels(CHART)

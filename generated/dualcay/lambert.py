@@ -328,7 +328,7 @@ CHART = Chart(
         _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="bc57cc04ef1a83cd",
+    programs="453e6b88586bc4f9",
     ends=True,
 )
 

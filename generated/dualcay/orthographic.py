@@ -252,7 +252,7 @@ CHART = Chart(
         _unfolded, _reached, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="834eadee2ed77a60",
+    programs="d84218b0fa9ecd32",
     ends=True,
 )
 

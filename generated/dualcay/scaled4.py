@@ -33,10 +33,7 @@ from .cayley4 import CHART as BASE
 
 ORDER = 4
 
-
-CHART = multiple(
-    BASE, __name__, 8, 1, constant=('inside',), programs="60acfd86e1e5ad5e"
-)
+CHART = multiple(BASE, __name__, 8, 1, constant=('inside',), programs="9f06e5fb587f77e0")
 
 KERNELS = PoseKernels(CHART)
 # the functions of this module are the methods of KERNELS

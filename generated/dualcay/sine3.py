@@ -343,7 +343,7 @@ CHART = Chart(
         _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="fe58d6ba184389e2",
+    programs="5f2e348b1f84492b",
     ends=True,
 )
 

@@ -351,7 +351,7 @@ CHART = Chart(
         _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="b56568daffa55b8f",
+    programs="94e0f08dfeb41c9d",
     ends=True,
 )
 

@@ -159,6 +159,8 @@ MAPS: Mapping[str, Callable[..., Flat]] = {
     "shadow_jacobian": _shadow_jacobian,
     "retract_jacobians": partial(_jacobians, partial(_retract, False)),
     "body_retract_jacobians": partial(_jacobians, partial(_retract, True)),
+    "local_jacobians": partial(_jacobians, partial(_local, False)),
+    "body_local_jacobians": partial(_jacobians, partial(_local, True)),
 }
 """Expected values by kernel function, as functions of a chart, a branch and arguments."""
 
