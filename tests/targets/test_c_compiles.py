@@ -12,6 +12,7 @@ from pathlib import Path
 
 import pytest
 
+from benchmarks import flight
 from derive.codegen.lowered import lower_chart
 from derive.codegen.rows import inside
 from derive.codegen.signatures import POSES, ROTATIONS
@@ -280,6 +281,39 @@ def test_projects_of_cpp_alone_add_two_folders_of_kernels(package, tmp_path):
     said = run(tool("cmake"), "-S", tmp_path, "-B", tmp_path / "build")
     assert "Warning" not in said, said
     run(tool("cmake"), "--build", tmp_path / "build")
+
+
+@pytest.mark.skipif(not shutil.which("cppcheck"), reason="cppcheck is not installed")
+def test_deviations_from_misra_are_those_of_the_page(tmp_path):
+    flight.headers(tmp_path)
+    page = (ROOT / "docs" / "howto" / "flight.md").read_text(encoding="utf-8")
+    assert set(flight.deviations(tmp_path)) == set(re.findall(r"^\| (\d+\.\d+) \|", page, re.MULTILINE))
+
+
+@pytest.mark.skipif(not shutil.which("arm-none-eabi-gcc"), reason="no compiler for Arm is installed")
+@pytest.mark.skipif(not shutil.which("qemu-system-arm"), reason="no emulator of Arm boards is installed")
+def test_results_agree_on_an_emulated_processor_as_on_the_page(package, tmp_path):
+    page = (ROOT / "docs" / "howto" / "flight.md").read_text(encoding="utf-8")
+    _, start = re.findall(r"^```\S*(?: c)?\n(?!dualcay)(.*?)^```", page, re.MULTILINE | re.DOTALL)[-2:]
+    written(tmp_path, "start.c", start)
+    (tmp_path / "kernels").symlink_to(package)
+    commands = page.split("-o kernels\n")[1].partition("```")[0].replace("cayley2", "cayley3")
+    assert "calls agree" in run("sh", "-ec", commands, cwd=tmp_path)
+
+
+def test_no_function_calls_itself_loops_or_returns_early(package):
+    """Expect calls of functions above only, loops over rows only, and no static data, as docs/howto/flight.md says."""
+    for table in TABLES:
+        text = (package / inside(table, "geometry.h")).read_text(encoding="utf-8")
+        bodies = re.findall(r"DUALCAY_NAME\((\w+)\)\([^;{]*\)\n\{\n(.*?)^\}", text, re.MULTILINE | re.DOTALL)
+        seen: set[str] = set()
+        for name, body in bodies:
+            assert set(re.findall(r"DUALCAY_NAME\((\w+)\)", body)) <= seen, name
+            assert not re.search(r"\b(while|goto|return|static|alloc)\b", body), name
+            loops = re.findall(r"\bfor \(.*", body)
+            assert not loops if not name.endswith("_rows") else set(loops) == {"for (size_t j = 0; j < n; ++j) {"}, name
+            seen.add(name)
+        assert len(seen) > 2 * len(table.public)
 
 
 def test_example_generates_missing_headers(tmp_path):
