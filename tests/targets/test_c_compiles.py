@@ -294,7 +294,7 @@ def test_deviations_from_misra_are_those_of_the_page(tmp_path):
 @pytest.mark.skipif(not shutil.which("qemu-system-arm"), reason="no emulator of Arm boards is installed")
 def test_results_agree_on_an_emulated_processor_as_on_the_page(package, tmp_path):
     page = (ROOT / "docs" / "howto" / "flight.md").read_text(encoding="utf-8")
-    _, start = re.findall(r"^```\S*(?: c)?\n(?!dualcay)(.*?)^```", page, re.MULTILINE | re.DOTALL)[-2:]
+    [start] = re.findall(r"^```\{code-block\} c\n(.*?)^```", page, re.MULTILINE | re.DOTALL)
     written(tmp_path, "start.c", start)
     (tmp_path / "kernels").symlink_to(package)
     commands = page.split("-o kernels\n")[1].partition("```")[0].replace("cayley2", "cayley3")

@@ -13,7 +13,7 @@ from derive.codegen.rows import inside
 from derive.codegen.signatures import POSES, ROTATIONS
 from derive.codegen.targets import TARGETS
 from derive.codegen.validation import c_text
-from derive.codegen.validation.batches import batches
+from derive.codegen.validation.batches import batches, composed
 from derive.codegen.validation.c_interpreter import CError, load
 from derive.maps import Cayley
 from derive.output import files
@@ -59,7 +59,8 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 def survives(text: str, kernels: list[str], table=POSES) -> bool:
     """Tell whether a text passes validation on the cases of some functions."""
-    chosen = [batch for batch in batches(CHART, table) if batch.function in kernels]
+    every = (*batches(CHART, table), *composed(CHART, table))
+    chosen = [batch for batch in every if batch.function in kernels]
     try:
         return c_text.check(load(text), CHART, chosen, table) > 0
     except (CError, ValidationFailed):
@@ -82,15 +83,16 @@ def test_changed_text_fails(folder, table, each, least):
     """
     excerpts = Excerpts(load(f'#include "{inside(table, "cayley3.h")}"\n', folder).source.text)
     prefix = c_text.prefix(Cayley(3), table)
-    roots = {name: (f"{prefix}_{name}", f"{prefix}_{name}_rows") for name in table.public}
+    names = (*table.public, *table.composed)
+    roots = {name: (f"{prefix}_{name}", f"{prefix}_{name}_rows") for name in names}
     needed = {name: set().union(*map(excerpts.needed, found)) for name, found in roots.items()}
     own = [f for f in excerpts.functions if f.startswith(prefix) or table is POSES]
-    kernels = {f: [name for name in table.public if f in needed[name]][:3] for f in own}
+    kernels = {f: [name for name in names if f in needed[name]][:3] for f in own}
     every = [
         mutant
-        for function, names in kernels.items()
-        for mutant in excerpts.mutants(function, [root for name in names for root in roots[name]])
-        if names
+        for function, called in kernels.items()
+        for mutant in excerpts.mutants(function, [root for name in called for root in roots[name]])
+        if called
     ]
     chosen = sample(every, each, seed=43)
     left = [m for m in chosen if survives(m.text, kernels[m.function], table=table)]
