@@ -367,7 +367,7 @@ CHART = Chart(
         _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="9c7bd61685b5370e",
+    programs="2a1234f597b34fcd",
 )
 
 KERNELS = PoseKernels(CHART)

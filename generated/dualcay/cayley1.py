@@ -202,7 +202,7 @@ CHART = Chart(
         _unfolded, _reached, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="881aa47a94e3fd5f",
+    programs="17ef8f29b4ccb232",
 )
 
 KERNELS = PoseKernels(CHART)

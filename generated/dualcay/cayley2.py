@@ -270,7 +270,7 @@ CHART = Chart(
         _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="de7eb2580401df51",
+    programs="537edba82c83d532",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -356,7 +356,7 @@ CHART = Chart(
         _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="4bba2501b5635ce1",
+    programs="0ffe863a00ddba4f",
 )
 
 KERNELS = PoseKernels(CHART)

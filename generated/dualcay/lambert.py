@@ -327,7 +327,7 @@ CHART = Chart(
         _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="df00ab791f04cc86",
+    programs="b6993d528cbb4f09",
     ends=True,
 )
 

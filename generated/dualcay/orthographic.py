@@ -250,7 +250,7 @@ CHART = Chart(
         _unfolded, _reached, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="58d8fd356a4c0598",
+    programs="692f4c729f4fdf13",
     ends=True,
 )
 

@@ -342,7 +342,7 @@ CHART = Chart(
         _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="10d109f88a786623",
+    programs="92cf0cfd5b7158b6",
     ends=True,
 )
 

@@ -350,7 +350,7 @@ CHART = Chart(
         _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="d6c8ab3536231ca7",
+    programs="880bd087ef304f9d",
     ends=True,
 )
 
