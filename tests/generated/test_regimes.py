@@ -157,7 +157,7 @@ CONTROLS: dict[str, tuple[str, str, Callable[[Subject, np.ndarray], Any]]] = {
 def test_a_broken_edge_is_seen(fault: str) -> None:
     """Control: each fault of a function is refused by the law."""
     function, regime, broken = CONTROLS[fault]
-    chart = subject("lambert")
+    chart = subject("lambert", digits=regimes.DIGITS.get(regime, families.DIGITS))
     kept = {name: getattr(chart.module, name) for name in ("CHART", "__name__", "identity", "singular_angles")}
     known: Any = SimpleNamespace(**kept, **{function: lambda v: broken(chart, v)})
     assert any(call.judged() for call in regimes.calls(Subject(known, chart.oracle), function, regime))
