@@ -215,13 +215,6 @@ def test_halvings_and_steps_converge_at_every_angle() -> None:
         assert found == pytest.approx(angle, rel=8e-16 / float(chart.phi.diff(alpha).subs(alpha, angle)))
 
 
-def test_limits_are_the_first_coefficients_of_the_series(chart) -> None:
-    first, third = (sympy.series(chart.phi, alpha, 0, 4).removeO().coeff(alpha, k) for k in (1, 3))
-    sixth = sympy.Rational(1, 6)
-    assert chart.limits[0] == (1 / first, 1 / (2 * first**2), (sixth - 2 * third / first) / first**3)
-    assert chart.limits[1] == (first, -sympy.Rational(1, 2), 2 * third / first**2 + sixth / (2 * first))
-
-
 def test_known_angle_near_a_fold_keeps_all_digits() -> None:
     """Allow 4 eps for h_i from a known angle, 1e-6 before the fold; from x alone, its error exceeds 1e-9."""
     chart = parameterization("alpha/(1 + alpha**2/40)", "of_user")

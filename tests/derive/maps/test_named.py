@@ -14,7 +14,7 @@ from derive.maps import Cayley, closed_forms, family, parameterization
 from derive.maps.any_phi.expressions import parsed
 from derive.maps.any_phi.parameterization import recognized
 from derive.maps.elementary import evaluate
-from derive.maps.families import alpha, of_angle
+from derive.maps.families import alpha
 from derive.maps.multiple import POWERS
 from derive.maps.named import SYMBOLIC, described
 from derive.maps.pose import Screw
@@ -117,16 +117,11 @@ def test_scalars_of_a_multiple_match_its_base_by_powers_of_the_factor(phi: str):
 
 
 @pytest.mark.parametrize("name", ["orthographic", "lambert", "breusing", "scaled3"])
-def test_coefficients_at_no_rotation(name: str):
-    """Expect for φ = c₁ α + c₃ α³ + …: 1/c₁, 1/(2c₁²), (1/6 − 2c₃/c₁)/c₁³ in T; c₁, −1/2, 2c₃/c₁² + 1/(12c₁) in T⁻¹."""
+def test_limits_are_the_scalars_at_no_rotation(name: str):
     chart = family(name)
-    first, third = (chart.phi.diff(alpha, k).subs(alpha, 0) / sympy.factorial(k) for k in (1, 3))
-    at = chart.scalars(sympy.Integer(0), PLAIN)
-    sixth = sympy.Rational(1, 6)
-    bend = 2 * third / first
-    expected = (1 / first, 1 / (2 * first**2), (sixth - bend) / first**3, first, bend / first + sixth / (2 * first))
-    found = (at.f, at.g, at.h, at.fi / 2, at.hi / 2)
-    assert all(sympy.nsimplify(a - b) == 0 for a, b in zip(found, expected, strict=True))
+    at, (tangent, tangent_inv) = chart.scalars(sympy.Integer(0), PLAIN), chart.limits
+    found = (at.f, at.g, at.h, at.fi / 2, -sympy.Rational(1, 2), at.hi / 2)
+    assert all(sympy.nsimplify(a - b) == 0 for a, b in zip(found, (*tangent, *tangent_inv), strict=True))
 
 
 @pytest.mark.parametrize("phi", [3 * sympy.sin(alpha / 6), sympy.sin(alpha / 4) / 2, 3 * sympy.tan(alpha / 8)])
@@ -177,24 +172,6 @@ def test_scale_belongs_to_the_parameterization(name: str, gap) -> None:
     s, t = closed_forms.quaternion(chart.order, w.dot(w))
     half = at.angle / 2
     assert gap(Quaternion(s, w * t), Quaternion(functions.cos(half), at.axis * functions.sin(half))) < TINY
-
-
-def test_rodrigues_family_is_the_cayley_map() -> None:
-    for n in (1, 2, 3, 6):
-        scalars, angle = of_angle(sympy.tan(alpha / (2 * n))), 2 * n * sympy.atan(sympy.Rational(1, 3))
-        tangent = closed_forms.tangent(n, sympy.Rational(1, 9)).coefficients
-        tangent_inv = closed_forms.tangent_inv(n, sympy.Rational(1, 9)).coefficients
-        found = (scalars.f, scalars.g, scalars.h, scalars.fi / 2, scalars.hi / 2)
-        for coefficient, value in zip(found, (*tangent, *tangent_inv[::2]), strict=True):
-            assert abs(sympy.N(coefficient.subs(alpha, angle) - value, 40)) < 1e-35
-
-
-def test_breusing_is_the_geometric_mean() -> None:
-    for k in range(1, 6):
-        angle = mpmath.mpf(k)
-        at = evaluate(family("breusing").phi, alpha, angle)
-        assert abs(at - mpmath.sqrt(mpmath.tan(angle / 4) * mpmath.sin(angle / 4))) < TINY
-        assert evaluate(family("breusing").phi, alpha, -angle) == -at
 
 
 def test_the_isochoric_parameterization_keeps_volumes() -> None:

@@ -10,75 +10,13 @@ import numpy as np
 import pytest
 import sympy
 
-from derive.algebra import Dual
 from derive.algebra.arithmetic import PLAIN
 from derive.maps import Cayley, polynomials
 from derive.maps.any_phi import intervals, near_zero
 from derive.maps.any_phi.expressions import parsed
 from derive.maps.cayley_scalars import HORNER_LIMIT, chain
 from derive.maps.families import alpha
-from derive.maps.polynomials import FIELD, RING, RING_X, horner, rational, x
-
-ORDERS = [*range(1, 17), 31, 64]
-
-
-def ring(expression: sympy.Expr):
-    return RING.from_expr(sympy.expand(expression))
-
-
-def test_printed_polynomials() -> None:
-    printed = {
-        1: (1, 1),
-        2: (1 - x, 2),
-        3: (1 - 3 * x, 3 - x),
-        4: (1 - 6 * x + x**2, 4 - 4 * x),
-        5: (1 - 10 * x + 5 * x**2, 5 - 10 * x + x**2),
-    }
-    for n, (p, q) in printed.items():
-        assert sympy.expand(Cayley(n).p - p) == 0
-        assert sympy.expand(Cayley(n).q - q) == 0
-
-
-@pytest.mark.parametrize("n", ORDERS)
-def test_binomial_sums(n: int) -> None:
-    for name in "pqcd":
-        assert getattr(Cayley(n), name) == getattr(polynomials, f"{name}_binomial")(n)
-
-
-@pytest.mark.parametrize("n", ORDERS)
-def test_power_of_a_gaussian_number(n: int) -> None:
-    # (1 + 2i)^n by integer arithmetic: X = 2, x = 4
-    re, im = 1, 0
-    for _ in range(n):
-        re, im = re - 2 * im, im + 2 * re
-    p, q = polynomials.pair(n, 4)
-    assert (re, im) == (p, 2 * q)
-    assert p * p + 4 * q * q == 5**n
-
-
-@pytest.mark.parametrize("n", ORDERS)
-def test_squaring_gives_the_recurrence_on_any_number(n: int) -> None:
-    for at in (RING_X, Fraction(3, 7), Dual(Fraction(1, 3), Fraction(2)), -5):
-        assert polynomials.pair_by_squaring(n, at) == polynomials.pair(n, at)
-    p, q = polynomials.ring_pair(n)
-    assert p**2 + RING_X * q**2 == (1 + RING_X) ** n
-
-
-def test_addition_and_doubling() -> None:
-    for m in range(1, 8):
-        for n in range(1, 8):
-            pairs = polynomials.pair(m, RING_X), polynomials.pair(n, RING_X)
-            assert polynomials.multiply(*pairs, RING_X) == polynomials.pair(m + n, RING_X)
-        assert polynomials.double(polynomials.pair(m, RING_X), RING_X) == polynomials.pair(2 * m, RING_X)
-
-
-@pytest.mark.parametrize("n", ORDERS)
-def test_brackets(n: int) -> None:
-    (p, q), (c, d) = polynomials.pair(n, RING_X), polynomials.brackets(n, RING_X)
-    assert (c, d) == polynomials.ring_brackets(n)
-    assert RING_X * c == n * (1 + RING_X) ** (n - 1) - p * q
-    assert RING_X * d == (1 + RING_X) * q - n * p
-    assert Cayley(n).c.subs(x, 0) == sympy.Rational(2 * n * (n**2 - 1), 3)
+from derive.maps.polynomials import FIELD, RING_X, horner, rational, x
 
 
 def test_brackets_keep_all_digits_on_shadows() -> None:
@@ -90,25 +28,6 @@ def test_brackets_keep_all_digits_on_shadows() -> None:
     assert abs(floats[1] / float(d) - 1) < 1e-12
     assert abs(sympy.Float(c, 30) / exact[0] - 1) < 1e-20
     assert abs(sympy.Float(d, 30) / exact[1] - 1) < 1e-20
-
-
-@pytest.mark.parametrize("n", [1, 2, 3, 5, 8, 13])
-def test_tangent_of_multiple_angles(n: int) -> None:
-    theta = mpmath.mpf("0.31")
-    p, q = polynomials.pair_by_squaring(n, mpmath.tan(theta) ** 2)
-    assert abs(p - mpmath.cos(n * theta) / mpmath.cos(theta) ** n) < 1e-14
-    assert abs(q - mpmath.sin(n * theta) / (mpmath.cos(theta) ** n * mpmath.tan(theta))) < 1e-13
-
-
-@pytest.mark.parametrize("n", range(1, 13))
-def test_singular_angles_and_poles(n: int) -> None:
-    angles = polynomials.singular_angles(n)
-    assert angles == (*(2 * sympy.pi * k for k in range(1, (n + 1) // 2)), n * sympy.pi)
-    roots = polynomials.poles(n)
-    assert len(roots) == len(angles) - 1 == sympy.Poly(Cayley(n).q, x).degree()
-    for root, angle in zip(roots, angles, strict=False):
-        assert root == sympy.tan(angle / (2 * n))
-        assert abs(sympy.N(Cayley(n).q.subs(x, root**2), 40)) < 1e-25
 
 
 def test_rational_keeps_powers_of_one_plus_x_and_positive_denominators() -> None:
