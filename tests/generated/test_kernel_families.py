@@ -57,25 +57,6 @@ def test_branches_are_the_same_pose(name: str, kernels: ModuleType):
         np.testing.assert_allclose(kernels.shadow(there, -branch), v, rtol=0, atol=1e-12)
 
 
-def test_complex_steps_give_tangents(name: str, kernels: ModuleType):
-    """Expect ω q/2 as derivative of the quaternion along v̇, also without rotation."""
-    rng = np.random.default_rng(7)
-    for size in (0.0, 1e-12, 1e-3, 0.4):
-        v, v_dot = rng.normal(size=6), rng.normal(size=6)
-        v[:3] *= size * families.slope_of(name) / np.linalg.norm(v[:3])
-        q, q_dot = kernels.quaternion(v), kernels.quaternion(v + 1e-40j * v_dot).imag / 1e-40
-        omega = kernels.twist(v, v_dot)
-        expected = families.half_product(omega, q)
-        np.testing.assert_allclose(q_dot, expected, rtol=0, atol=64 * np.finfo(float).eps * abs(omega).max())
-
-
-def test_singular_angles_end_at_the_edge(name: str, kernels: ModuleType):
-    """Expect a list up to two turns for exponential coordinates, which have no edge."""
-    found = kernels.singular_angles()
-    edge = 4 * math.pi if name == "exponential" else families.edge_of(name)
-    assert found == (*(2 * math.pi * k for k in range(1, math.ceil(edge / 2 / math.pi))), edge)
-
-
 def test_wiener_milenkovic_is_scaled2():
     v = families.vectors(families.oracle_of("scaled2"), 0.01, 3.0)
     np.testing.assert_array_equal(wiener_milenkovic.pose(v), scaled2.pose(v))

@@ -47,51 +47,6 @@ def test_composition_is_the_product_of_tensors_v1_first(kernel: ModuleType, orde
             assert errors.norm(kernel.pose(v) - kernel.pose(v1[i]) @ kernel.pose(v2[i])) > 1e-9  # the order matters
 
 
-@REGIME
-def test_composition_with_the_inverse_and_the_identity(kernel: ModuleType, order: int, regime: str) -> None:
-    v = reached(order, regime)
-    # −v is the vector of the inverse, also in the closed form.
-    inverse = dual_product(kernel.tensor(v), kernel.tensor(-v))
-    back, same = kernel.compose(v, -v), kernel.compose(v, np.zeros(6))
-    for i in range(len(v)):
-        scale = pose_scale(order, v[i], v[i])
-        assert_close(inverse[i], np.stack([np.eye(3), np.zeros((3, 3))]), scale)
-        assert errors.norm(back[i, :3]) <= errors.AGREE * EPS * scale.re
-        assert errors.norm(back[i, 3:]) <= errors.AGREE * EPS * scale.du
-        assert_close(kernel.tensor(same[i]), kernel.tensor(v[i]), pose_scale(order, v[i]) + pose_scale(order, same[i]))
-
-
-def test_composition_is_associative_and_principal(kernel: ModuleType, order: int) -> None:
-    a, b, c = (reached(order, r) for r in ("shadow", "uniform", "middle band"))
-    left, right = kernel.compose(kernel.compose(a, b), c), kernel.compose(a, kernel.compose(b, c))
-    limit = np.tan(np.pi / (2 * order)) * (1 + 1e-12)
-    for i in range(len(a)):
-        assert np.linalg.norm(left[i, :3]) <= limit
-        scale = pose_scale(order, a[i], b[i], c[i]) + pose_scale(order, left[i]) + pose_scale(order, right[i])
-        assert_close(kernel.tensor(left[i]), kernel.tensor(right[i]), scale)
-
-
-@pytest.mark.parametrize("regime", ["uniform", "middle band", "angle 1e-7", "below pi", "shadow", "translation 1e6"])
-def test_screws_there_and_back(kernel: ModuleType, order: int, regime: str) -> None:
-    v = reached(order, regime)
-    angle, axis = kernel.to_screw(v)
-    assert angle.shape == (6, 2)
-    assert axis.shape == (6, 6)
-    assert ((angle[:, 0] >= 0) & (angle[:, 0] <= np.pi)).all()
-    norms = np.einsum("ij,ij->i", axis[:, :3], axis[:, :3])
-    np.testing.assert_allclose(norms, 1, rtol=8 * EPS)
-    moments = np.linalg.norm(axis[:, 3:], axis=-1)
-    assert (
-        abs(np.einsum("ij,ij->i", axis[:, :3], axis[:, 3:]))
-        <= errors.AGREE * EPS * (moments + np.linalg.norm(v[:, 3:], axis=-1) / np.linalg.norm(v[:, :3], axis=-1))
-    ).all()
-    back = kernel.from_screw(angle, axis)
-    for i in range(len(v)):
-        assert_close(kernel.tensor(back[i]), kernel.tensor(v[i]), pose_scale(order, v[i]) + pose_scale(order, back[i]))
-    if regime in sampling.PRINCIPAL:
-        np.testing.assert_allclose(back[:, :3], v[:, :3], rtol=0, atol=1e-8 if regime == "below pi" else 1e-12)
-
-
 def test_from_screw_takes_any_angle(kernel: ModuleType, order: int) -> None:
     angle, axis = sampling.screws(order, count=6)
     there = kernel.from_screw(angle, axis)
@@ -112,16 +67,6 @@ def test_screw_of_a_translation_and_of_the_identity(kernel: ModuleType, order: i
     angle, axis = kernel.to_screw(np.zeros(6))
     np.testing.assert_array_equal(angle, [0, 0])
     assert np.isnan(axis).all()
-
-
-@REGIME
-def test_points_move_by_the_homogeneous_matrix(kernel: ModuleType, order: int, regime: str) -> None:
-    v, r = reached(order, regime), sampling.points("points", count=6)
-    pose = kernel.pose(v)
-    for i, moved in enumerate(kernel.transform_point(v, r)):
-        local = errors.scales(order, v[i])
-        difference = moved - (pose[i, :3, :3] @ r[i] + pose[i, :3, 3])
-        assert errors.norm(difference) <= errors.AGREE * EPS * (local.tensor.re * errors.norm(r[i]) + local.position)
 
 
 @REGIME

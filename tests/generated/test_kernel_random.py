@@ -7,8 +7,6 @@ from types import ModuleType
 import numpy as np
 import pytest
 
-import dualcay
-
 COUNT = 4000
 
 
@@ -83,7 +81,3 @@ def test_limits_outside_the_chart_are_refused(kernel: ModuleType, order: int) ->
     for wrong in (-0.1, np.nan):
         with pytest.raises(ValueError, match="max_translation must be >= 0"):
             kernel.random(max_translation=wrong)
-
-
-def test_package_has_no_second_random_function(kernel: ModuleType) -> None:
-    assert not hasattr(dualcay, "random_vector")

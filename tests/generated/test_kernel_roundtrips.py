@@ -82,31 +82,6 @@ def test_inverse_maps_are_lipschitz_in_the_violation(kernel: ModuleType, order: 
         assert (abs(found - v) <= 1e3 * step * (1 + np.linalg.norm(v, axis=-1, keepdims=True)) ** 2).all()
 
 
-@pytest.mark.parametrize("regime", ["uniform", "middle band", "shadow", "pure translation"])
-def test_q_and_minus_q_are_one_pose(kernel: ModuleType, order: int, regime: str) -> None:
-    q = kernel.quaternion(samples(order, regime))
-    for branch in [0, 1] if regime != "pure translation" else [0]:
-        np.testing.assert_array_equal(kernel.from_quaternion(q, branch), kernel.from_quaternion(-q, branch))
-
-
-@pytest.mark.parametrize("regime", REGIMES)
-def test_branches_of_the_pose_are_shadows_of_the_principal_vector(kernel: ModuleType, order: int, regime: str) -> None:
-    v = samples(order, regime)
-    if len(v):
-        trial = Trial(kernel, order, "uniform")
-        principal = kernel.from_pose(kernel.pose(v))
-        for branch in range(order):
-            found = kernel.from_pose(kernel.pose(v), branch)
-            shadows = kernel.shadow(principal, branch)
-            for a, b, start in zip(found, shadows, principal, strict=True):
-                if np.linalg.norm(a[:3]) < 1e3:
-                    allowed = trial.shadow_scale(start, a)
-                    gate = errors.GENERAL + errors.shadow_gate(order)
-                    # The gate counts twice: the error of the principal vector passes through the same Jacobian.
-                    assert errors.norm(a[:3] - b[:3]) <= 2 * gate * EPS * allowed.re
-                    assert errors.norm(a[3:] - b[3:]) <= 2 * gate * EPS * allowed.du
-
-
 @pytest.mark.parametrize("regime", ["uniform", "translation 1e6"])
 def test_shadows_form_a_cyclic_group(kernel: ModuleType, order: int, regime: str) -> None:
     v = sampling.poses(order, regime, count=2)
@@ -135,18 +110,3 @@ def test_shadows_give_the_same_pose_and_the_quaternion_up_to_sign(kernel: Module
             # The closed form has the sign (−1)^k.
             agree = np.einsum("ij,ij->i", kernel.quaternion(shadows[chart])[:, :4], q[chart][:, :4])
             np.testing.assert_allclose(agree, (-1.0) ** branch, rtol=1e-9)
-
-
-@pytest.mark.parametrize("regime", REGIMES)
-def test_principal_is_the_smallest_shadow_and_is_a_projection(kernel: ModuleType, order: int, regime: str) -> None:
-    v = samples(order, regime)
-    principal = kernel.principal(v)
-    sizes = np.linalg.norm(principal[:, :3], axis=-1)
-    for branch in range(order):
-        assert (sizes <= np.linalg.norm(kernel.shadow(v, branch)[:, :3], axis=-1) * (1 + 1e-12)).all()
-    tolerance = errors.shadow_gate(order) * EPS
-    for once, twice, start in zip(principal, kernel.principal(principal), v, strict=True):
-        others = [twice, start] if regime in sampling.PRINCIPAL else [twice]
-        for part in (slice(3), slice(3, 6)):
-            assert all(errors.norm(other[part] - once[part]) <= tolerance * errors.norm(once) for other in others)
-    assert (sizes <= np.tan(np.pi / (2 * order)) * (1 + 1e-9)).all()

@@ -81,39 +81,6 @@ def test_half_turns_with_translation_from_matrices(order: int, axis: list[float]
         np.testing.assert_allclose(kernel.pose(got), matrix, atol=1e-14)
 
 
-@AXIS
-def test_order_two_keeps_the_given_side_on_a_tie(axis: list[float]) -> None:
-    """Test |v| = 1, the angle π for n = 2, with axes of exact unit length: v and its shadow have equal length."""
-    kernel, u = load(2), np.array(axis)
-    if u @ u != 1:
-        return
-    for v in (np.concatenate([u, [0.3, -0.2, 0.5]]), np.concatenate([u, np.zeros(3)])):
-        for got in (kernel.principal(v), kernel.principal(np.stack([v, v]))[0]):
-            np.testing.assert_allclose(got, v, rtol=4 * EPS, atol=4 * EPS)
-        other = kernel.shadow(v, 1)
-        np.testing.assert_allclose(other[:3], -u, atol=4 * EPS)
-        np.testing.assert_allclose(kernel.principal(other), other, atol=8 * EPS)
-        np.testing.assert_allclose(kernel.pose(other), kernel.pose(v), atol=16 * EPS)
-        composed = kernel.compose(v, np.zeros(6))
-        np.testing.assert_allclose(composed, v, rtol=8 * EPS, atol=8 * EPS)
-        np.testing.assert_allclose(kernel.compose(np.zeros(6), -v), -v, rtol=8 * EPS, atol=8 * EPS)
-
-
-@AXIS
-def test_screws_of_half_turns(axis: list[float]) -> None:
-    """Expect an axis in the direction of the vector."""
-    kernel, u = load(2), np.array(axis)
-    angle, direction = kernel.to_screw(np.concatenate([u, np.zeros(3)]))
-    np.testing.assert_allclose(angle, [np.pi, 0], rtol=4 * EPS)
-    if u @ u == 1:
-        np.testing.assert_allclose(direction, [*u, 0, 0, 0], rtol=4 * EPS, atol=0)
-
-
-def test_the_quaternion_of_a_principal_vector_has_a_positive_scalar(order: int, kernel: ModuleType) -> None:
-    v = np.concatenate([sampling.poses(order, r) for r in ("uniform", "middle band", "below pi", "pure translation")])
-    assert (kernel.quaternion(v)[:, 0] > 0).all()
-
-
 @pytest.mark.parametrize("shape", [(6,), (4, 6)])
 def test_the_identity_has_no_other_branches(kernel: ModuleType, order: int, shape: tuple[int, ...]) -> None:
     zero = np.zeros(shape)
@@ -200,22 +167,6 @@ def test_shadows_of_translations_form_a_group(order: int, shift: list[float]) ->
                 np.testing.assert_allclose(kernel.shadow(middle, k), kernel.shadow(v, j + k), rtol=1e-14, atol=1e-14)
 
 
-def test_mixed_batches_agree_with_single_poses(kernel: ModuleType, order: int) -> None:
-    """Mix identity, translation, half turn and general poses; expect for each the result of a single call."""
-    regimes = ["uniform", "identity", "pure translation", "angle 1e-12", "below pi", "shadow", "middle band"]
-    v = np.concatenate([sampling.poses(order, r)[:2] for r in regimes if sampling.has_regime(order, r)])
-    for name in ("principal", "shadow", "quaternion", "tangent_inv"):
-        batch = getattr(kernel, name)(v)
-        for i, row in enumerate(v):
-            np.testing.assert_allclose(batch[i], getattr(kernel, name)(row), rtol=1e-13, atol=0)
-    for name, given in (("from_pose", kernel.pose(v)), ("from_quaternion", kernel.quaternion(v))):
-        for branch in (0, 1):
-            batch = getattr(kernel, name)(given, branch)
-            for i, row in enumerate(given):
-                single = getattr(kernel, name)(row, branch)
-                np.testing.assert_allclose(batch[i], single, rtol=1e-12, atol=1e-14 * np.nanmax(abs(single), initial=1))
-
-
 @FINITE
 @pytest.mark.parametrize("dtype", [np.float32, np.float64])
 def test_a_rounded_half_turn_keeps_its_side(order: int, dtype: type[np.floating]) -> None:
@@ -235,15 +186,6 @@ def test_a_rounded_half_turn_keeps_its_side(order: int, dtype: type[np.floating]
         expected = kernel.from_quaternion(q, k)
         size = 1 + np.linalg.norm(expected, axis=-1, keepdims=True) ** 2
         np.testing.assert_allclose(kernel.shadow(v, k) / size, expected / size, atol=64 * np.finfo(dtype).eps)
-
-
-@FINITE
-def test_the_first_axis_of_a_half_turn_about_x(order: int) -> None:
-    kernel = load(order)
-    R = np.stack([np.diag([1.0, -1, -1]), np.zeros((3, 3))])
-    for given in (R, R[None]):
-        _, axis = kernel.to_screw(kernel.from_tensor(given))
-        np.testing.assert_allclose(axis.ravel(), [1, 0, 0, 0, 0, 0], atol=4 * EPS)
 
 
 @pytest.mark.parametrize("batch", [False, True])

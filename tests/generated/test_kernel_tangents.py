@@ -9,7 +9,6 @@ import numpy as np
 import pytest
 
 import dualcay
-from dualcay import cayley2
 from tests.support import errors, sampling
 from tests.support.errors import assert_close
 from tests.support.nilpotent import Nil
@@ -97,20 +96,6 @@ def test_complex_steps_of_the_quaternion(kernel: ModuleType, order: int, regime:
         assert_close(found, wanted, allowed(order, v[i]) * errors.size(rates[i]), errors.AGREE * EPS)
 
 
-@pytest.mark.parametrize("regime", ["uniform", "middle band", "shadow", "pure translation"])
-def test_central_differences_of_the_tensor_and_the_pose(kernel: ModuleType, order: int, regime: str) -> None:
-    v = reached(order, regime)
-    rates = sampling.dual_vectors("rates", count=len(v))
-    step = errors.STEP * rates
-    tensors = (kernel.tensor(v + step) - kernel.tensor(v - step)) / (2 * errors.STEP)
-    poses = (kernel.pose(v + step) - kernel.pose(v - step)) / (2 * errors.STEP)
-    by_tensor, by_pose = spin(kernel.tensor(v), tensors), twist_of_pose(kernel.pose(v), poses)
-    for i, twist in enumerate(kernel.twist(v, rates)):
-        scale = allowed(order, v[i]) * errors.size(rates[i])
-        for found in (by_tensor[i], by_pose[i]):
-            assert_close(found, twist, scale + Nil(1.0, 1.0), errors.difference_tolerance(order))
-
-
 @REGIME
 def test_twist_and_rate_are_the_operators_applied_and_undo_each_other(
     kernel: ModuleType, order: int, regime: str
@@ -148,55 +133,6 @@ def test_body_twists_are_space_twists_turned_back(kernel: ModuleType, order: int
         assert_close(kernel.body_twist(v[i], w[i]), applied, local.tangent * size, tolerance)
         assert_close(again[i], w[i], local.near_pole * local.tangent * size, tolerance)
         assert_close(kernel.body_rate(v[i], w[i]), from_space[i], local.near_pole * local.tensor * size, tolerance)
-
-
-def test_cayley_names_of_the_tangent_operators(kernel: ModuleType, order: int) -> None:
-    v = reached(order, "uniform")
-    np.testing.assert_array_equal(kernel.dcay(v), kernel.tangent(v))
-    np.testing.assert_array_equal(kernel.dcay_inv(v), kernel.tangent_inv(v))
-
-
-def test_tangent_at_a_translation_is_diagonal_and_at_the_identity_a_multiple_of_it(
-    kernel: ModuleType, order: int
-) -> None:
-    v = sampling.poses(order, "pure translation", count=3)
-    np.testing.assert_allclose(kernel.tangent(v)[:, 0], np.broadcast_to(2 * order * np.eye(3), (3, 3, 3)), rtol=1e-15)
-    np.testing.assert_allclose(vect(kernel.tangent(v)[:, 1]), 2 * order**2 * v[:, 3:], rtol=1e-15)
-    np.testing.assert_array_equal(kernel.tangent(np.zeros(6)), [2 * order * np.eye(3), np.zeros((3, 3))])
-    np.testing.assert_allclose(kernel.tangent_inv(np.zeros(6)), [np.eye(3) / (2 * order), np.zeros((3, 3))], rtol=1e-15)
-
-
-@pytest.mark.parametrize("regime", ["uniform", "shadow", "below pi", "translation 1e6"])
-def test_order_two_is_conformal(regime: str) -> None:
-    """Expect 4/(1 + x) times a rotation for dcay_2, in dual numbers, and a scaled transpose as its inverse."""
-    v = reached(2, regime)
-    for i, (forth, back) in enumerate(zip(cayley2.tangent(v), cayley2.tangent_inv(v), strict=True)):
-        x, x_du = v[i, :3] @ v[i, :3], 2 * v[i, :3] @ v[i, 3:]
-        factor = Nil(16 / (1 + x) ** 2, -32 * x_du / (1 + x) ** 3)
-        local = errors.scales(2, v[i])
-        square = np.stack([forth[0] @ forth[0].T, forth[0] @ forth[1].T + forth[1] @ forth[0].T])
-        scaled = np.stack([factor.re * np.eye(3), factor.du * np.eye(3)])
-        assert_close(square, scaled, local.tangent * local.tangent, errors.AGREE * EPS)
-        wanted = np.stack([forth[0].T / factor.re, (forth[1].T - factor.du / factor.re * forth[0].T) / factor.re])
-        size = local.tangent_inv * local.tangent * local.tangent_inv
-        assert_close(back, wanted, size, errors.AGREE * EPS)
-
-
-def test_singular_angles(kernel: ModuleType, order: int) -> None:
-    """Expect rank loss of T exactly at the singular angles, and the end of the chart at the last one."""
-    angles = kernel.singular_angles()
-    assert isinstance(angles, tuple)
-    poles = [2 * np.pi * k for k in range(1, order) if 2 * k < order]
-    np.testing.assert_allclose(sorted(angles), [*poles, order * np.pi], rtol=1e-15)
-
-    def rank_loss(angle: float) -> float:
-        v = np.array([0.6, -0.8, 0.0, 0.0, 0.0, 0.0]) * np.tan(angle / (2 * order))
-        singular_values = np.linalg.svd(kernel.tangent(v)[0], compute_uv=False)
-        return singular_values[-1] / singular_values[0]
-
-    assert all(rank_loss(a) < 1e-14 for a in poles)
-    elsewhere = [a for a in np.linspace(0, order * np.pi, 64)[:-1] if all(abs(a - p) > 0.1 for p in angles)]
-    assert all(rank_loss(a) > 1e-3 for a in elsewhere)
 
 
 TINY, SMALL = 1e-300, 1e-6

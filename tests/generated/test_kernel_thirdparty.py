@@ -33,18 +33,6 @@ def test_poses_and_dual_quaternions(kernel: ModuleType, order: int, regime: str)
     np.testing.assert_allclose(kernel.pose(v)[:, :3, :3], turned, rtol=0, atol=errors.AGREE * EPS)
 
 
-@REGIME
-def test_screws_are_exponential_coordinates(kernel: ModuleType, order: int, regime: str) -> None:
-    v = reached(order, regime, 12)
-    angle, axis = kernel.to_screw(v)
-    turn, shift = angle[:, :1], angle[:, 1:]
-    coordinates = np.concatenate([turn * axis[:, :3], shift * axis[:, :3] + turn * axis[:, 3:]], axis=-1)
-    if regime != "identity":
-        third = RigidTransform.from_exp_coords(coordinates).as_matrix()
-        # The error of the exponential grows with the angle, up to π here.
-        assert_same(order, v, kernel.pose(v), third, factor=np.pi)
-
-
 @pytest.mark.parametrize("form", ["quaternion", "tensor", "pose"])
 def test_inverse_maps_of_random_transforms(kernel: ModuleType, order: int, form: str) -> None:
     rng = sampling.generator("transforms", order)
@@ -60,18 +48,6 @@ def test_inverse_maps_of_random_transforms(kernel: ModuleType, order: int, form:
         v = kernel.from_tensor(np.stack([matrix[:, :3, :3], np.swapaxes(moments, -1, -2)], axis=1))
     size = 1 + np.linalg.norm(v[:, :3], axis=-1)[:, None, None] ** 2  # n = 1 near π
     assert (abs(kernel.pose(v) - matrix) <= 1e-13 * size).all()
-
-
-def test_composition_agrees_with_scipy(kernel: ModuleType, order: int) -> None:
-    a, b = reached(order, "uniform", 12), reached(order, "shadow", 12)
-    third = RigidTransform.from_matrix(kernel.pose(a)) * RigidTransform.from_matrix(kernel.pose(b))
-    np.testing.assert_allclose(kernel.pose(kernel.compose(a, b)), third.as_matrix(), rtol=1e-11, atol=1e-11)
-
-
-def test_points_move_as_in_scipy(kernel: ModuleType, order: int) -> None:
-    v, r = reached(order, "uniform", 12), sampling.points("scipy", count=12)
-    third = RigidTransform.from_dual_quat(kernel.quaternion(v), scalar_first=True)
-    np.testing.assert_allclose(kernel.transform_point(v, r), third.apply(r), rtol=1e-13, atol=1e-13)
 
 
 def homogeneous_cayley(v: np.ndarray, order: int) -> np.ndarray:
