@@ -14,6 +14,7 @@ from typing import Any
 
 import numpy as np
 
+from derive.codegen.signatures import PUBLIC
 from tests.support import errors
 from tests.support.first_principles import pack
 from tests.support.forward_accuracy import ForwardTrial
@@ -167,10 +168,5 @@ class Trial(ForwardTrial):
         return own + errors.through(left, errors.size(v2)) + errors.through(right, errors.size(v1))
 
 
-FUNCTIONS = (
-    "quaternion", "tensor", "pose", "tangent", "tangent_inv", "body_tangent", "body_tangent_inv", "inverse", "twist",
-    "rate", "body_twist", "body_rate", "tangent_dot", "twist_dot", "body_twist_dot", "rate_dot", "body_rate_dot",
-    "twist_jacobian", "cotangent_jacobian", "rate_jacobian", "body_rate_jacobian", "from_quaternion", "from_tensor",
-    "from_pose", "round_trip", "from_screw", "to_screw", "shadow", "principal", "compose", "transform_point",
-    "transform_line",
-)  # fmt: skip
+FUNCTIONS = (*(name for name in PUBLIC if hasattr(Trial, name)), "round_trip")
+"""Names of functions of `Trial`."""

@@ -13,6 +13,7 @@ from typing import Any
 
 import numpy as np
 
+from derive.codegen.signatures import PUBLIC
 from tests.support import errors, ranges, sampling
 from tests.support.accuracy import FUNCTIONS, Trial
 from tests.support.errors import through
@@ -285,13 +286,7 @@ class CalculusTrial(Trial):
         return scale + errors.size(by_time) + errors.size(by_angle)
 
 
-CALCULUS = (
-    "adjoint", "cotangent", "body_cotangent", "body_tangent_dot", "body_twist_jacobian", "body_cotangent_jacobian",
-    "angle", "to_exponential", "from_exponential", "between", "local", "body_local", "retract", "body_retract",
-    "interpolate", "compose_jacobians", "between_jacobians", "shadow_jacobian", "retract_jacobians",
-    "body_retract_jacobians", "local_jacobians", "body_local_jacobians", "transform_point_jacobians",
-    "transform_line_jacobians", "transition", "body_transition",
-)  # fmt: skip
+CALCULUS = tuple(name for name in PUBLIC if name not in FUNCTIONS)
 """Names of functions added to `Trial`."""
 
 EVERY = (*FUNCTIONS, *CALCULUS)

@@ -70,13 +70,6 @@ def underflow(v: Any, dtype: Any) -> Nil:
 
 # Gate of the difference of two computed quantities: the sum of both gates, rounded up.
 AGREE = 40
-# Step h of central differences. Truncation h² and rounding eps/h are 1e-10 at h = 1e-5; third derivatives of the map
-# multiply the error by n³ at order n.
-STEP = 1e-5
-
-
-def difference_tolerance(order: int) -> float:
-    return 1e-9 * (1 + order) ** 3
 
 
 def norm(a: Any) -> float:

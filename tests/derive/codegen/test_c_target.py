@@ -148,11 +148,6 @@ def test_the_package_holds_headers_their_tests_and_a_cmake_project(texts):
         assert not re.search(r"^[^/]*\b[A-Z]\b", text, re.MULTILINE), "where other people's macros are"
 
 
-def test_printing_twice_gives_equal_text(texts):
-    again = packages.printed([3], "c")
-    assert again == {name: texts[name] for name in again}
-
-
 @pytest.mark.parametrize(("table", "prefix"), [(POSES, "dualcay"), (ROTATIONS, "dualcay_rotation")])
 def test_every_function_has_a_plain_form_and_one_for_rows(texts, table, prefix):
     geometry = texts[inside(table, "geometry.h")]
