@@ -132,10 +132,6 @@ def _jacobians(function: Callable[..., Flat], chart: Vectors, branch: int, *argu
     return tuple(+entry for entry in found)
 
 
-def _shadow_jacobian(chart: Vectors, branch: int, v: Flat) -> Flat:
-    return _jacobians(_shadow, chart, branch, v) if branch else IDENTITY
-
-
 def _principal(chart: Vectors, branch: int, v: Flat) -> Flat:
     return flat(chart.at(chart.screw(dual(v))[0]))
 
@@ -147,6 +143,16 @@ def _switch(chart: Vectors, branch: int, v: Flat, v_dot: Flat, covariance: Flat)
     return (*_principal(chart, 0, v), *(J * mpmath.matrix(v_dot)), *(J * P * J.T))
 
 
+DIFFERENTIABLE: Mapping[str, Callable[..., Flat]] = {
+    "compose": _compose,
+    "between": _between,
+    "retract": partial(_retract, False),
+    "body_retract": partial(_retract, True),
+    "local": partial(_local, False),
+    "body_local": partial(_local, True),
+}
+"""Functions of two dual vectors, whose Jacobians are kernel functions too."""
+
 MAPS: Mapping[str, Callable[..., Flat]] = {
     "from_quaternion": lambda at, k, q: flat(at.of_quaternion(Quaternion.dual(q[:4], q[4:]), k)),
     "from_tensor": _from_tensor,
@@ -157,22 +163,12 @@ MAPS: Mapping[str, Callable[..., Flat]] = {
     "to_exponential": lambda at, k, v: flat(_vector(_own_screw(at, v))),
     "from_exponential": _from_exponential,
     "shadow": _shadow,
+    "shadow_jacobian": lambda at, k, v: _jacobians(_shadow, at, k, v) if k else IDENTITY,
     "principal": _principal,
     "switch": _switch,
-    "compose": _compose,
-    "between": _between,
-    "retract": partial(_retract, False),
-    "body_retract": partial(_retract, True),
     "interpolate": _interpolate,
-    "local": partial(_local, False),
-    "body_local": partial(_local, True),
-    "compose_jacobians": partial(_jacobians, _compose),
-    "between_jacobians": partial(_jacobians, _between),
-    "shadow_jacobian": _shadow_jacobian,
-    "retract_jacobians": partial(_jacobians, partial(_retract, False)),
-    "body_retract_jacobians": partial(_jacobians, partial(_retract, True)),
-    "local_jacobians": partial(_jacobians, partial(_local, False)),
-    "body_local_jacobians": partial(_jacobians, partial(_local, True)),
+    **DIFFERENTIABLE,
+    **{f"{name}_jacobians": partial(_jacobians, function) for name, function in DIFFERENTIABLE.items()},
 }
 """Expected values by kernel function, as functions of a chart, a branch and arguments."""
 
