@@ -29,7 +29,8 @@ from ..phi_error import SYMBOLIC_ONLY, PhiError
 from ..real_constants import plus
 from ..scalars import NOISE, DependentScalars, scalar
 from .edges import PHI_DIGITS, Edge, edge_of
-from .first_guess import Guess, from_end, guess
+from .first_guess import guess
+from .guesses import Guess, from_end
 from .near_zero import Ratio, ratio
 from .phi_values import PhiValues
 from .rounding import require_digits

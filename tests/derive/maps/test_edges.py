@@ -14,8 +14,8 @@ from derive.maps import PhiError, angle_of_length, parameterization
 from derive.maps.angle_of_length import angle_of, real_value
 from derive.maps.any_phi import first_guess
 from derive.maps.any_phi.edges import PHI_DIGITS, Edge, closed_inverse, edge_of
-from derive.maps.any_phi.first_guess import Fitted, Guess, Halved
 from derive.maps.any_phi.general import General
+from derive.maps.any_phi.guesses import Fitted, Guess, Halved
 from derive.maps.any_phi.intervals import precise
 from derive.maps.families import alpha
 
