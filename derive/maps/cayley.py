@@ -20,7 +20,7 @@ from ..algebra.arithmetic import Arithmetic
 from ..algebra.latex import bracketed, latex
 from . import closed_forms, polynomials
 from .cayley_scalars import CHAIN_POWER, HORNER_LIMIT, CayleyScalars
-from .chart import Map
+from .chart_formulas import Map
 from .families import alpha
 from .formula import IsotropicMap, QuaternionMap
 from .order_charts import BranchesOfOrder, Derivatives, cayley_gain, near_pole

@@ -21,7 +21,8 @@ import sympy
 
 from ..algebra import Coefficient, Quaternion
 from ..algebra.arithmetic import Arithmetic
-from .chart import Chart, Scalars
+from .chart import Chart
+from .chart_formulas import Scalars
 from .order_charts import Derivatives
 from .polynomials import Pair, Triple, x
 from .real_constants import SMALL

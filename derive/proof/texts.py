@@ -19,7 +19,8 @@ from ..algebra import Quaternion, Tensor, Vector
 from ..algebra.arithmetic import PLAIN
 from ..maps import Cayley
 from ..maps.any_phi.expressions import OPERATIONS
-from ..maps.chart import DEFINITIONS, IDENTITIES, Chart
+from ..maps.chart import Chart
+from ..maps.chart_formulas import DEFINITIONS, IDENTITIES
 from ..maps.formula import Formula
 from . import notation as m
 from . import phi_theorems as every

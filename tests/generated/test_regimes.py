@@ -15,7 +15,8 @@ import dualcay
 from derive import about
 from dualcay import exponential
 from tests.support import families, regimes
-from tests.support.regimes import OUTSIDE, REGIMES, Call, Subject, subject
+from tests.support.regimes import Call
+from tests.support.subjects import OUTSIDE, REGIMES, Subject, subject
 
 CHARTS = (*(f"cayley{n}" for n in about.ORDERS), *about.FAMILIES)
 ENDING = [name for name in CHARTS if subject(name).ends]

@@ -21,7 +21,8 @@ from derive.maps import Cayley, family
 from derive.maps.chart import Chart
 from tests.support import families, native, packages, regimes
 from tests.support.libraries import Through
-from tests.support.regimes import REGIMES, Call, Subject, subject
+from tests.support.regimes import Call
+from tests.support.subjects import REGIMES, Subject, subject
 from tests.targets.test_c_values import QUICKLY
 
 pytestmark = pytest.mark.filterwarnings("ignore:(invalid value|divide by zero|overflow):RuntimeWarning")

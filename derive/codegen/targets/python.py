@@ -11,7 +11,8 @@ from typing import Any
 
 from ... import about
 from ...maps.cayley import EQUATIONS
-from ...maps.chart import DEFINITIONS, Chart
+from ...maps.chart import Chart
+from ...maps.chart_formulas import DEFINITIONS
 from ...maps.named import NUMBERED, SINGLE
 from ...proof import shown
 from ..lowered import printed_geometry, shared_with_poses

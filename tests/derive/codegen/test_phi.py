@@ -33,7 +33,7 @@ from derive.maps.real_constants import BITS, LEVELS, polynomial
 from derive.output import files
 from derive.proof import prove
 from dualcay import exponential
-from tests.support import families, packages, regimes, sampling
+from tests.support import families, packages, regimes, sampling, subjects
 from tests.support.oracle import Oracle
 
 TEXT = "alpha/(1 + alpha**2/40)"
@@ -70,11 +70,11 @@ def test_every_function_agrees_with_first_principles(kernels: ModuleType, oracle
 @pytest.mark.parametrize("regime", ["half turn", "edge", "beyond the edge", "not finite"])
 def test_edges_are_right_or_not_finite(kernels: ModuleType, oracle: Oracle, regime: str):
     """Expect no finite result beyond the edge; try every third function. The oracle ends at 2π, before the edge."""
-    chart = regimes.Subject(kernels, oracle)
+    chart = subjects.Subject(kernels, oracle)
     names = [name for name, row in chart.table.public.items() if regimes.takes_vectors(row)]
     calls = [call for name in names[::3] for call in regimes.calls(chart, name, regime)]
-    inside = [call for call in calls if call.fate == regimes.RIGHT]
-    reasons = [call.judged() for call in (*inside[::7], *(c for c in calls if c.fate == regimes.OUTSIDE))]
+    inside = [call for call in calls if call.fate == subjects.RIGHT]
+    reasons = [call.judged() for call in (*inside[::7], *(c for c in calls if c.fate == subjects.OUTSIDE))]
     assert not any(reasons), reasons
 
 
