@@ -21,7 +21,7 @@ alpha = sympy.Symbol("alpha")
 
 
 def of_angle(phi: sympy.Expr) -> SimpleNamespace:
-    """Return the scalars of a chart (`chart.Scalars`) and x as functions of α."""
+    """Return the scalars of a chart (`chart_formulas.Scalars`) and x as functions of α."""
     sine, cosine, slope = sympy.sin(alpha / 2), sympy.cos(alpha / 2), phi.diff(alpha)
     f, fi = 2 * sine * cosine / phi, phi * cosine / sine
     g, h, hi = 2 * sine**2 / phi**2, (1 / slope - f) / phi**2, (2 * slope - fi) / phi**2

@@ -1,4 +1,4 @@
-"""Tests of composition, screws and the action on points and lines."""
+"""Poses of composed vectors, screws, lines and twists."""
 
 from __future__ import annotations
 

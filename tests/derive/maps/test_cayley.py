@@ -1,4 +1,4 @@
-"""Coefficients, matrices and texts of Cayley(n), compared with the paper and independent formulas."""
+"""Numbers of Cayley(n) equal its formulas; domains, LaTeX text, records, proofs and refused orders."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Tangent operators and exponential maps from first principles; compositions in closed form."""
+"""Tangent operators and exponential maps from first principles; rates of an axis; singular compositions."""
 
 from __future__ import annotations
 

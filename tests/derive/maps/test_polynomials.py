@@ -1,4 +1,4 @@
-"""Polynomials p_n, q_n by recurrence, sums and doubling; brackets; refused orders; bounds of φ on circles."""
+"""Brackets c_n, d_n and chains of Cayley maps; refused orders; bounds of φ on circles."""
 
 from __future__ import annotations
 

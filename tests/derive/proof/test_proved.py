@@ -16,7 +16,9 @@ from derive.codegen.build import print_package
 from derive.codegen.lowering.scalar_programs import FORMULAS
 from derive.codegen.targets import TARGETS
 from derive.codegen.targets.python import formula_of
-from derive.maps import Cayley, cayley, chart, family, parameterization, x
+from derive.maps import Cayley, cayley, family, parameterization, x
+from derive.maps.chart import Chart
+from derive.maps.chart_formulas import DEFINITIONS, IDENTITIES
 from derive.proof import ProofFailed, Proved, proofs, prove, shown, theorems
 from derive.proof.identity import Check, Multiplier, Proof, decide
 from derive.proof.notation import n, p, q
@@ -144,7 +146,7 @@ CHARTS = [
 
 
 @pytest.mark.parametrize("of", CHARTS, ids=lambda of: of.name)
-def test_shown_formulas_hold(of: chart.Chart) -> None:
+def test_shown_formulas_hold(of: Chart) -> None:
     assert all(proof.proved for proof in shown_with(of))
     assert "v(x)v" in formula_of("pose_scalars", of)
 
@@ -152,10 +154,10 @@ def test_shown_formulas_hold(of: chart.Chart) -> None:
 def _texts() -> Iterator[tuple[str, Cayley | None]]:
     """Yield every formula of the tables, for order 4 where it holds at an order."""
     four = Cayley(4)
-    maps = [getattr(four, name) for name in chart.DEFINITIONS]
+    maps = [getattr(four, name) for name in DEFINITIONS]
     yield from ((text, four) for of in maps for text in (f"{of.symbol} = {of.definition}", *of.identities))
-    yield from ((text, None) for texts in chart.IDENTITIES.values() for text in texts)
-    yield from ((text, None) for text in chart.DEFINITIONS.values())
+    yield from ((text, None) for texts in IDENTITIES.values() for text in texts)
+    yield from ((text, None) for text in DEFINITIONS.values())
     for general, of_order, _ in FORMULAS.values():
         yield from ((text, None) for text in MARKED.findall(general))
         yield from ((text, four) for text in MARKED.findall(of_order))
@@ -192,7 +194,8 @@ def test_generation_refuses_a_wrong_map_of_an_order(monkeypatch: pytest.MonkeyPa
 
 
 def test_proof_refuses_a_wrong_map_of_every_chart(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setitem(chart.DEFINITIONS, "tensor", chart.DEFINITIONS["tensor"].replace("g = 2 w^2", "g = 3 w^2"))
+    wrong = DEFINITIONS["tensor"].replace("g = 2 w^2", "g = 3 w^2")
+    monkeypatch.setitem(DEFINITIONS, "tensor", wrong)
     for of in (Cayley(3), family("lambert"), family("exponential"), family("scaled2")):
         with pytest.raises(ProofFailed, match=r"g = 3\*w\^2 \[every phi\]"):
             prove(of)
