@@ -6,14 +6,14 @@ The sections of data are printed anew; those that other commands write are kept 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping
 from pathlib import Path
 
 from benchmarks import slower
 from benchmarks.maps import COMPILED, NUMPY, PART
 from benchmarks.peers import LIBRARIES
 from benchmarks.times import CHARTS, Data, commit, label, shown
-from benchmarks.timing import ALLOCATOR
+from benchmarks.timing import ALLOCATOR, table
 
 ORDER = (
     "slower", "maps", "rows", "derivatives", "given", "motion", "propagate", "compiling", "jitted", "recorded", "gates",
@@ -86,12 +86,6 @@ def figures(data: Data) -> str:
     return f"`pose` for {size} vectors: {ours} ns each; SciPy {others[0]} ns, pytransform3d {others[1]} ns"
 
 
-def table(heads: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
-    """Return a table in Markdown."""
-    lines = ["| " + " | ".join(heads) + " |", "|" + "---|" * len(heads)]
-    return "\n".join([*lines, *("| " + " | ".join(row) + " |" for row in rows)])
-
-
 def folded(text: str) -> str:
     """Fold the tables of a section; folded ones stay as they are."""
     return re.sub(r"(?<=\n\n)(?<!</summary>\n\n)\|.*\n\|[-:| ]+\|\n((?:\|.*\n)+)", _folded, text + "\n").rstrip()
@@ -99,7 +93,7 @@ def folded(text: str) -> str:
 
 def _folded(found: re.Match[str]) -> str:
     rows = found[1].count("\n")
-    return f"<details><summary>Table of {rows} rows</summary>\n\n{found[0]}\n</details>\n"
+    return f"<details><summary>Table, {rows} rows</summary>\n\n{found[0]}\n</details>\n"
 
 
 def sections(page: str) -> dict[str, str]:

@@ -34,13 +34,13 @@ def draw(data: Data, path: Path = FILE) -> None:
     from benchmarks.figures import STYLE
 
     with rc_context(STYLE):
-        made = figure.Figure(figsize=(8, 2.9), layout="constrained")
+        made = figure.Figure(figsize=(6.4, 3.3), layout="constrained")
         axes = made.subplots()
         for (by, chart), (colour, style, mark) in LOOKS.items():
             ns = data.ns(PART, by, "pose", chart)
             text = ", ".join([NAMES.get(by, by), *([label(chart)] if chart else [])])
             axes.loglog(list(ns), list(ns.values()), style, color=colour, marker=mark, ms=5, label=text)
-        axes.set(xlabel="N, poses in a call", ylabel="ns per pose")
+        axes.set(xlabel="N, poses in a call", ylabel="ns per pose", ylim=(1, 2e6))
         axes.grid(alpha=0.25)
-        made.legend(loc="outside right center", frameon=False, fontsize=9.5)
+        axes.legend(loc="upper right", ncols=2, frameon=False, fontsize=9, handlelength=2.5)
         made.savefig(path, dpi=110, metadata={"Software": None})

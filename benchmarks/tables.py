@@ -8,7 +8,7 @@ from benchmarks import gates, kernels, native, slower
 from benchmarks.maps import FUNCTIONS, NUMPY, PART, SIZES, name
 from benchmarks.peers import LETTERS, LIBRARIES
 from benchmarks.times import Data, shown
-from benchmarks.timing import markdown
+from benchmarks.timing import markdown, table
 
 TITLES = {
     "pose": "Vector to pose", "quaternion": "Vector to dual quaternion", "tangent": "Tangent operator",
@@ -41,7 +41,7 @@ def _slower(data: Data) -> str:
     for kind in slower.REASONS:
         lines = [faster.line() for faster in found if faster.why == kind]
         if lines:
-            texts += [f"<details><summary>{kind}: {len(lines)} pairs</summary>\n", *lines, "\n</details>\n"]
+            texts += [f"<details><summary>{kind} ({len(lines)})</summary>\n", *lines, "\n</details>\n"]
     return "\n".join(texts)
 
 
@@ -60,7 +60,8 @@ def _maps(data: Data) -> str:
         body += [[library, *("not installed" for _ in SIZES), f"`{LIBRARIES[library].texts[function][0]}`"]
                  for library in absent]  # fmt: skip
         heads = (f"`{function}`, ns per pose", *(f"N = {n:,}" for n in SIZES), "call")
-        texts.append(markdown(TITLES[function], heads, body).replace("## ", "### "))
+        title = f"{TITLES[function]}, {function}: {len(body)} calls"
+        texts.append(f"<details><summary>{title}</summary>\n\n{table(heads, body)}\n\n</details>\n")
     return "\n".join(texts)
 
 
@@ -85,8 +86,8 @@ def _gates(data: Data) -> str:
     every = gates.every(data)
     short = sum(not gate.met for gate in every)
     heads = ("ours against", "times faster", "gate", "")
-    table = markdown("Gates", heads, [gate.row() for gate in every])
+    listed = markdown("Gates", heads, [gate.row() for gate in every])
     return (
-        f"{table}\n{len(every) - short} gates are met, {short} are SHORT and stand first. A gate is the least ratio of "
+        f"{listed}\n{len(every) - short} gates are met, {short} are SHORT and stand first. A gate is the least ratio of "
         "another's time to ours; `1/3 x` means that ours take three times as long.\n"
     )

@@ -105,5 +105,10 @@ def _seconds(call: Call, repeats: int) -> float:
 
 def markdown(title: str, head: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
     """Return a section that consists of a table."""
-    lines = [f"## {title}", "", "| " + " | ".join(head) + " |", "|" + "---|" * len(head)]
-    return "\n".join([*lines, *("| " + " | ".join(row) + " |" for row in rows), ""])
+    return f"## {title}\n\n{table(head, rows)}\n"
+
+
+def table(head: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
+    """Return a table in Markdown."""
+    lines = ["| " + " | ".join(head) + " |", "|" + "---|" * len(head)]
+    return "\n".join([*lines, *("| " + " | ".join(row) + " |" for row in rows)])
