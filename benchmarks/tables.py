@@ -88,6 +88,6 @@ def _gates(data: Data) -> str:
     heads = ("ours against", "times faster", "gate", "")
     listed = markdown("Gates", heads, [gate.row() for gate in every])
     return (
-        f"{listed}\n{len(every) - short} gates are met, {short} are SHORT and stand first. A gate is the least ratio of "
-        "another's time to ours; `1/3 x` means that ours take three times as long.\n"
+        f"{listed}\n{len(every) - short} gates are met, {short} are SHORT and stand first. A gate is the least ratio "
+        "of another's time to ours; `1/3 x` means that ours take three times as long.\n"
     )
