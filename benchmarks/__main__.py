@@ -1,44 +1,52 @@
-"""Page of speeds: ``python -m benchmarks -o docs/benchmarks.md``."""
+"""Page of speeds: ``python -m benchmarks -o docs/benchmarks.md``, with its data and its plot beside it."""
 
 from __future__ import annotations
 
 import argparse
+import sys
+from collections.abc import Iterator
 from pathlib import Path
 
-import numpy as np
+from benchmarks import kernels, maps, motion, native, page, plot, propagate, tables, times
+from benchmarks.timing import allocator_is_fixed, fix_allocator
 
-from benchmarks import forms, kernels, libraries, motion, native, page, propagate
-from benchmarks.timing import ROUNDS
 
-SECTIONS = {"kernels": kernels.section, "native": native.section, "libraries": libraries.section,
-            "motion": motion.section, "propagate": propagate.section}
+def measure() -> Iterator[times.Timed]:
+    """Yield all times: maps beside libraries, rows and derivatives, compiled functions beside a C loop."""
+    with maps.forms() as packages:
+        yield from maps.measure(packages)
+        if maps.COMPILED in packages:
+            yield from native.measure(packages[maps.COMPILED])
+    yield from kernels.on_rows()
+    yield from kernels.of_derivatives()
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description="Measure the kernels against peers.")
-    parser.add_argument("-o", "--output", type=Path, help="also write the tables there, as Markdown")
-    what = "measure these, and keep what is written of the others"
-    parser.add_argument("--section", choices=SECTIONS, nargs="+", default=list(SECTIONS), help=what)
+    parser = argparse.ArgumentParser(description="Measure the kernels against peers, in about eight minutes.")
+    parser.add_argument("-o", "--output", type=Path, required=True, help="page; data and plot are written beside it")
+    only = "print the page anew from its data, without measuring"
+    parser.add_argument("--print", action="store_true", dest="printed", help=only)
     options = parser.parse_args()
     output, kept = options.output, {}
-    if output and output.exists():
+    file = output.with_suffix(".json")
+    data = times.read(file)
+    if output.exists():
         kept = page.sections(output.read_text(encoding="utf-8"))
-    how = (
-        f"NumPy {np.__version__}: medians of {ROUNDS} interleaved rounds, or of "
-        f"{kernels.ROUNDS_OF_LARGE} for {kernels.LARGE:,} poses or more. SymPy, JAX in forward mode and complex "
-        "steps differentiate the same maps as our derivatives. `called` is JAX without compilation, traced at every "
-        "call. Ours fill one result; SymPy's functions return separate arrays of components, none for zeros and one "
-        "for equal components. The copy floor is the time of a copy that fills such a result, a lower bound. A dash: "
-        f"nothing to compare with, or SymPy needs minutes, or more than {forms.ROOM / 1e9:g} GB."
-    )
-    for name, measure in SECTIONS.items():
-        if name in options.section:
-            kept[name] = measure().rstrip()
-            print(kept[name], end="\n\n", flush=True)
-    if output:
-        output.parent.mkdir(exist_ok=True)
-        output.write_text(page.joined(f"{page.INTRODUCTION}\n{how}", kept), encoding="utf-8")
+    if not options.printed:
+        if not allocator_is_fixed():
+            raise RuntimeError("malloc's thresholds are not fixed in this process")
+        data = times.Data(times.commit(), times.versions(), list(measure())).with_missing(data)
+        data.write(file)
+        kept |= {"motion": motion.section(), "propagate": propagate.section()}
+    kept.pop("", None)
+    plot.draw(data, output.with_suffix(".png"))
+    output.write_text(page.joined(page.head(data), kept | tables.sections(data)), encoding="utf-8")
+    if output.resolve() == times.FILE.with_suffix(".md"):
+        text = page.README.sub(rf"\1{page.figures(data)}\2", times.README.read_text(encoding="utf-8"))
+        times.README.write_text(text, encoding="utf-8")
+    print(f"{output}, {file.name} and {page.FILE_OF_PLOT} are written", file=sys.stderr)
 
 
 if __name__ == "__main__":
+    fix_allocator()
     main()

@@ -9,6 +9,7 @@ from __future__ import annotations
 import importlib
 import json
 from collections.abc import Sequence
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -16,8 +17,10 @@ import numpy as np
 from rich.console import Console
 
 from benchmarks.accuracy.__main__ import progress
-from benchmarks.kernels import GATED, fresh, measured
+from benchmarks.gates import GATED
+from benchmarks.maps import arguments
 from benchmarks.peers import Poses
+from benchmarks.timing import fix_allocator, measured
 from derive.codegen import catalogue
 from derive.maps.chart import Chart
 from derive.pages.comparison import ANGLES, MEASURED, MEASUREMENTS, TIMED, Compared
@@ -55,9 +58,12 @@ def nanoseconds(charts: Sequence[Chart]) -> dict[str, dict[str, dict[str, float]
     for size in GATED:
         poses = {chart: Poses.draw(module, size) for chart, module in kernels.items()}
         for name in TIMED:
-            times = measured({chart: fresh(module, name, poses[chart]) for chart, module in kernels.items()}, size)
-            for chart, seconds in times.items():
-                found[chart][name][str(size)] = float(f"{seconds / size * 1e9:.3g}")
+            calls = {
+                chart: partial(getattr(module, name), *arguments(name, poses[chart]))
+                for chart, module in kernels.items()
+            }
+            for chart, ns in measured(calls, size).items():
+                found[chart][name][str(size)] = float(f"{ns:.3g}")
     return found
 
 
@@ -75,4 +81,5 @@ def main() -> None:
 
 
 if __name__ == "__main__":
+    fix_allocator()
     main()

@@ -17,7 +17,7 @@ from typing import Any
 import numpy as np
 
 from benchmarks.page import write_section
-from benchmarks.timing import markdown
+from benchmarks.timing import fix_allocator, markdown
 from tests.support import packages
 
 ORDERS = (1, 2, 3, 4, 5, 8)
@@ -92,4 +92,5 @@ def main(given: Sequence[str] | None = None) -> None:
 
 
 if __name__ == "__main__":
+    fix_allocator()
     main()

@@ -149,12 +149,17 @@ def jax_calls(jax: Any, order: int, function: str, arguments: Sequence[Any]) -> 
 
 @cache
 def array_module(order: int) -> Any:
-    """Return the array-api kernels of an order, printed once per process into a temporary folder."""
-    with tempfile.TemporaryDirectory(prefix="dualcay-arrays-") as name:
-        folder = Path(name) / f"dualcay_arrays{order}"
-        packages.write([order], "array-api", folder)
-        sys.path.insert(0, name)
-        try:
-            return importlib.import_module(f"{folder.name}.cayley{order}")
-        finally:
-            sys.path.remove(name)
+    """Return the array-api kernels of an order, printed once per process."""
+    folder = Path(_folder().name) / f"dualcay_arrays{order}"
+    packages.write([order], "array-api", folder)
+    sys.path.insert(0, str(folder.parent))
+    try:
+        return importlib.import_module(f"{folder.name}.cayley{order}")
+    finally:
+        sys.path.remove(str(folder.parent))
+
+
+@cache
+def _folder() -> tempfile.TemporaryDirectory[str]:
+    """Make a folder that lasts as long as the process: kernels import their rules for JAX at the first call."""
+    return tempfile.TemporaryDirectory(prefix="dualcay-arrays-")

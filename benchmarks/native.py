@@ -1,102 +1,73 @@
-"""Times of the compiled functions beneath the kernels, relative to libraries and to a C loop over the same arrays.
+"""Compiled functions beneath the kernels: their build, their times beside a C loop, and with threads.
 
-Run ``python -m benchmarks.native`` from the checkout. The package is generated and compiled first, which takes minutes.
+`maps` measures them beside libraries.
 """
 
 from __future__ import annotations
 
 import importlib
-import sys
 import tempfile
 import threading
-import time
 from collections.abc import Iterator, Sequence
-from contextlib import ExitStack, contextmanager
+from contextlib import contextmanager
 from functools import cache, partial
 from pathlib import Path
 from statistics import median
-from typing import Any
+from time import perf_counter
 
 import numpy as np
 
 from benchmarks.forms import c_form
-from benchmarks.kernels import Gate, against, label, measured, per_pose
-from benchmarks.peers import Poses, pytransform3d_call, scipy_call
-from benchmarks.timing import Call, markdown
+from benchmarks.peers import Poses
+from benchmarks.times import ORDERS, Key, Timed, timed
+from benchmarks.timing import Call
 from derive.maps import Cayley, family
 from tests.support.native import build, found
 
-ORDERS = (2, 3)
+PART, THREADED = "given", "threads"
 CHARTS = (*map(Cayley, ORDERS), family("exponential"))
-"""Charts with compiled functions, for this section and others."""
-
-SIZES = (1, 10, 100, 1_000, 10_000, 1_000_000)
+SIZES = (10_000, 1_000_000)
+OURS, C_LOOP = "compiled", "C loop"
 FUNCTIONS = {
     "pose": ("v",), "quaternion": ("v",), "tangent": ("v",), "rate": ("v", "w"), "from_pose": ("T",),
     "compose": ("w", "v"),
 }  # fmt: skip
-"""Measured functions, with their arguments as names of attributes of `Poses`."""
+"""Functions that are compared with a C loop, with their arguments as names of attributes of `Poses`."""
 
-COMPARED = ("pose", "quaternion", "from_pose", "compose")
-"""Functions that are compared with SciPy."""
-
-SMALL = 1_000
-LEAST = {"SciPy RigidTransform": (20, 12), "pytransform3d": (10, 6)}
-"""Least ratios of a library's time to ours, for up to `SMALL` poses and for more."""
-
-ALONE = 1.2e-6
-"""Largest time of a call on one pose, in seconds."""
-
-LOOP = 1 / 1.15
-"""Least ratio of the time of a C loop to ours, beyond `SMALL` poses."""
-
-THREADED = 10_000
-THREADS, LINEAR = 2, 1.8
-"""Number of threads, and least ratio of their total throughput to the throughput of one thread."""
+COUNT = 10_000
+THREADS = 2
+"""Numbers of poses and of threads."""
 
 
-def rows(numpy: Any, native: Any, size: int) -> Iterator[tuple[tuple[str, ...], list[Gate]]]:
-    """Yield, for each function, its line of the table and its gates."""
-    poses = Poses.draw(numpy, size)
-    for function, names in FUNCTIONS.items():
-        arguments = [getattr(poses, name) for name in names]
-        made = getattr(numpy, function)(*arguments)
-        compared = function in COMPARED
-        times = measured({
-            "ours": partial(getattr(native, function), *arguments),
-            "numpy": partial(getattr(numpy, function), *arguments),
-            "SciPy RigidTransform": scipy_call(function, poses) if compared else None,
-            "pytransform3d": pytransform3d_call(function, poses) if function == "pose" else None,
-            "given": partial(getattr(native, function), *arguments, out=np.empty_like(made)),
-            "C": loop(numpy.ORDER, function, arguments, made) if size > 1 else None,
-        }, size)  # fmt: skip
-        where = f"{function}, n = {label(numpy)}, N = {size}"
-        gates = [
-            Gate(f"{where}: {peer}", times[peer] / times["ours"], least[size > SMALL])
-            for peer, least in LEAST.items()
-            if peer in times
-        ]
-        if size == 1:
-            gates.append(Gate(f"{where}: {ALONE * 1e6:g} µs", ALONE / times["ours"], 1))
-        if "C" in times and size > SMALL:
-            gates.append(Gate(f"{where}: C loop, given result", times["C"] / times["given"], LOOP))
-        peers = [against(times, peer, size) for peer in ("numpy", *LEAST)]
-        given = [per_pose(times[name], size) if name in times else "–" for name in ("given", "C")]
-        yield (label(numpy), function, str(size), per_pose(times["ours"], size), *peers, *given), gates
+def measure(package: str, sizes: Sequence[int] = SIZES, orders: Sequence[int] = ORDERS) -> Iterator[Timed]:
+    """Yield times with a given result, components last, beside a C loop over the same arrays."""
+    cases = [(size, order, function) for size in sizes for order in orders for function in FUNCTIONS]
+    yield from timed(PART, ((function, size, calls(package, order, function, size)) for size, order, function in cases))
+    for order in orders:
+        yield from threaded(package, order)
 
 
-def loop(order: int, function: str, arguments: Sequence[Any], made: Any) -> Call | None:
-    """Return a call of a C loop over the same arrays, pose by pose; None without a C compiler."""
-    form = c_form(order)
-    if form is None:
-        return None
-    given = [a.reshape(len(a), -1) for a in arguments]
-    return partial(form.call, function, *given, out=np.empty_like(made).reshape(len(made), -1), layout="aos")
+def calls(package: str, order: int, function: str, size: int) -> dict[Key, Call]:
+    """Return the call of a compiled function and that of a C loop, which needs a compiler."""
+    chart = f"cayley{order}"
+    kernel = getattr(importlib.import_module(f"{package}.{chart}"), function)
+    poses, names = Poses.draw(importlib.import_module(f"dualcay.{chart}"), size), FUNCTIONS[function]
+    given = [getattr(poses, name) for name in names]
+    made, form = np.empty_like(kernel(*given)), c_form(order)
+    found: dict[Key, Call] = {(OURS, chart, f"{chart}.{function}({', '.join(names)}, out=out)"): partial(
+        kernel, *given, out=made
+    )}  # fmt: skip
+    if form is not None:
+        flat = [a.reshape(size, -1) for a in given]
+        loop = partial(form.call, function, *flat, out=np.empty_like(made).reshape(size, -1), layout="aos")
+        found[C_LOOP, chart, f"for (j = 0; j < n; ++j) dualcay_{chart}_{function}(…)"] = loop
+    return found
 
 
-def threaded(native: Any, rounds: int = 9, repeats: int = 200) -> Gate:
-    """Return the gate on the throughput of parallel threads, in wall-clock time: calls release the GIL."""
-    poses = [Poses.draw(native, THREADED).v for _ in range(THREADS)]
+def threaded(package: str, order: int, rounds: int = 9, repeats: int = 200) -> Iterator[Timed]:
+    """Yield wall-clock times per pose of one thread and of parallel ones: calls release the GIL."""
+    native = importlib.import_module(f"{package}.cayley{order}")
+    poses = [Poses.draw(native, COUNT).v for _ in range(THREADS)]
     results = [native.pose(v) for v in poses]
 
     def work(index: int) -> None:
@@ -105,15 +76,19 @@ def threaded(native: Any, rounds: int = 9, repeats: int = 200) -> Gate:
 
     def seconds(count: int) -> float:
         threads = [threading.Thread(target=work, args=(index,)) for index in range(count)]
-        start = time.perf_counter()
+        start = perf_counter()
         for thread in threads:
             thread.start()
         for thread in threads:
             thread.join()
-        return (time.perf_counter() - start) / count
+        return (perf_counter() - start) / count
 
-    ratio = median(seconds(1) / seconds(THREADS) for _ in range(rounds))
-    return Gate(f"pose, n = {label(native)}, N = {THREADED}: {THREADS} threads against one", ratio, LINEAR)
+    times = [(seconds(1), seconds(THREADS)) for _ in range(rounds)]
+    one, ratio = median(first for first, _ in times), median(first / both for first, both in times)
+    for count, spent in ((1, one), (THREADS, one / ratio)):
+        ns = float(f"{spent / repeats / COUNT * 1e9:.4g}")
+        text = f"cayley{order}.pose(v, out=out)"
+        yield Timed(THREADED, f"threads: {count}", f"cayley{order}", "pose", text, {COUNT: ns})
 
 
 @contextmanager
@@ -135,36 +110,3 @@ def _built() -> tempfile.TemporaryDirectory[str]:
     folder = tempfile.TemporaryDirectory(prefix="dualcay-native-")
     build(Path(folder.name), CHARTS)
     return folder
-
-
-def section(sizes: Sequence[int] = SIZES) -> str:
-    """Return the tables and missed gates, or a line that says why nothing was measured."""
-    with ExitStack() as stack:
-        try:
-            package = stack.enter_context(compiled())
-        except AssertionError as error:
-            return f"Compiled functions were not measured, for they could not be built: {error}\n"
-        return _section(package, sizes)
-
-
-def _section(package: str, sizes: Sequence[int]) -> str:
-    lines, gates = [], list[Gate]()
-    for order in ORDERS:
-        pair = [importlib.import_module(f"{name}.cayley{order}") for name in ("dualcay", package)]
-        for size in sizes:
-            for row, decided in rows(*pair, size):
-                lines.append(row)
-                gates += decided
-        gates.append(threaded(pair[1]))
-    head = ("n", "function", "N", "ours, ns per pose", "NumPy kernels", *LEAST, "given result", "C loop")
-    short = [f"Falls short: {', '.join(gate.row()[:2])} of {gate.row()[2]}." for gate in gates if not gate.met]
-    return "\n".join([
-        markdown("Compiled functions", head, lines),
-        markdown("Gates of compiled functions", ("ours", "times faster", "gate", ""), [gate.row() for gate in gates]),
-        *(short or ["Every gate of compiled functions is met."]),
-        "",
-    ])  # fmt: skip
-
-
-if __name__ == "__main__":
-    sys.stdout.write(section())

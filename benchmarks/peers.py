@@ -1,4 +1,7 @@
-"""Libraries against which kernels are measured; all are optional, and reports name the missing ones."""
+"""Libraries against which kernels are measured; all are optional, and reports name the missing ones.
+
+A call is kept as its text, which is compiled to measure it: pages show exactly what was timed.
+"""
 
 from __future__ import annotations
 
@@ -6,7 +9,6 @@ import importlib
 import importlib.metadata
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from functools import partial
 from typing import Any
 
 import numpy as np
@@ -18,6 +20,14 @@ SWAP = np.array([3, 4, 5, 0, 1, 2])
 
 LOOPED = 1_000
 """Largest number of poses for libraries called in a loop."""
+
+LETTERS = (
+    "e, f: exponential coordinates in the order of the library; T: homogeneous matrices; q: dual quaternions; "
+    "A, B: transforms of f and e, kept in the library's own type"
+)
+"""Meaning of the letters in calls."""
+
+Names = dict[str, Any]
 
 
 @dataclass(frozen=True, slots=True)
@@ -60,112 +70,140 @@ def load(name: str) -> Any:
         return None
 
 
-def scipy_call(function: str, poses: Poses) -> Call | None:
-    """Return the call of SciPy's ``RigidTransform`` that corresponds to a function of ours."""
-    transform = load("scipy.spatial.transform")
-    rigid = getattr(transform, "RigidTransform", None)
-    if rigid is None:
-        return None
-    e, other, T, q = poses.exponential, poses.other, poses.T, poses.q
-    calls: dict[str, Call] = {
-        "pose": lambda: rigid.from_exp_coords(e).as_matrix(),
-        "quaternion": lambda: rigid.from_exp_coords(e).as_dual_quat(scalar_first=True),
-        "from_pose": lambda: rigid.from_matrix(T).as_exp_coords(),
-        "from_quaternion": lambda: rigid.from_dual_quat(q, scalar_first=True).as_exp_coords(),
-        "compose": lambda: (rigid.from_exp_coords(other) * rigid.from_exp_coords(e)).as_exp_coords(),
-    }
-    return calls[function]
+# --- names that calls use ---------------------------------------------------------------------------------------------
 
 
-def pytransform3d_call(function: str, poses: Poses) -> Call | None:
-    trajectories = load("pytransform3d.trajectories")
-    if trajectories is None:
-        return None
-    if function == "pose":
-        exponential = np.atleast_2d(poses.exponential)
-        return lambda: trajectories.transforms_from_exponential_coordinates(exponential)
-    exp = trajectories.transforms_from_exponential_coordinates
-    log = trajectories.exponential_coordinates_from_transforms
-    if function == "from_pose":
-        return partial(log, poses.T.reshape(-1, 4, 4))
-    if function != "compose":
-        return None
-    first, second = np.atleast_2d(poses.exponential), np.atleast_2d(poses.other)
-    return lambda: log(trajectories.concat_many_to_many(exp(first), exp(second)))
+def scipy_names(poses: Poses) -> Names:
+    """Return SciPy's class and its arguments; SciPy before 1.16 has no such class."""
+    rigid = importlib.import_module("scipy.spatial.transform").RigidTransform
+    kept = {"A": rigid.from_exp_coords(poses.other), "B": rigid.from_exp_coords(poses.exponential)}
+    return {"RigidTransform": rigid, "e": poses.exponential, "f": poses.other, "T": poses.T, "q": poses.q, **kept}
+
+
+def pytransform3d_names(poses: Poses) -> Names:
+    """Return the functions on trajectories, which take batches alone."""
+    module = importlib.import_module("pytransform3d.trajectories")
+    e, f = (np.atleast_2d(a) for a in (poses.exponential, poses.other))
+    kept = {"A": module.transforms_from_exponential_coordinates(f), "B": poses.T.reshape(-1, 4, 4)}
+    return {**vars(module), "e": e, "f": f, "T": poses.T.reshape(-1, 4, 4), **kept}
+
+
+def jaxlie_names(poses: Poses) -> Names:
+    """Return arrays already converted to JAX, in double precision."""
+    group = importlib.import_module("jaxlie").SE3
+    import jax
+
+    jax.config.update("jax_enable_x64", True)  # type: ignore[no-untyped-call]
+    e, f, T = (jax.numpy.asarray(a) for a in (_swapped(poses.exponential), _swapped(poses.other), poses.T))
+    return {"SE3": group, "e": e, "f": f, "T": T, "A": group.exp(f), "B": group.exp(e)}
+
+
+def pinocchio_names(poses: Poses) -> Names:
+    module = importlib.import_module("pinocchio")
+    e, f = _swapped(poses.exponential), _swapped(poses.other)
+    return {**vars(module), "e": e, "f": f, "T": poses.T, "A": _each(module.exp6, f), "B": _each(module.exp6, e)}
+
+
+def symforce_names(poses: Poses) -> Names:
+    group = importlib.import_module("sym").Pose3
+    e, f = poses.exponential, poses.other
+    return {"Pose3": group, "e": e, "f": f, "A": _each(group.from_tangent, f), "B": _each(group.from_tangent, e)}
 
 
 def _swapped(screws: Any) -> Any:
     return np.ascontiguousarray(screws[..., SWAP])
 
 
-def jaxlie_call(function: str, poses: Poses) -> Call | None:
-    """Return a compiled jaxlie call on arrays already converted to JAX."""
-    if load("jaxlie") is None:
-        return None
+def _each(make: Callable[[Any], Any], arrays: Any) -> Any:
+    return make(arrays) if arrays.ndim == 1 else [make(array) for array in arrays[:LOOPED]]
+
+
+# --- manners of calling -----------------------------------------------------------------------------------------------
+
+
+def at_once(text: str, names: Names, size: int) -> Call:
+    """Return a call on whole arrays."""
+    call: Call = eval(f"lambda: {text}", names)
+    return call
+
+
+def jitted(text: str, names: Names, size: int) -> Call:
+    """Return a call compiled by JAX, which waits for its result."""
     import jax
-    from jaxlie import SE3
 
-    jax.config.update("jax_enable_x64", True)
-    maps: dict[str, tuple[Callable[..., Any], tuple[Any, ...]]] = {
-        "pose": (lambda e: SE3.exp(e).as_matrix(), (_swapped(poses.exponential),)),
-        "from_pose": (lambda T: SE3.from_matrix(T).log(), (poses.T,)),
-        "compose": (
-            lambda a, b: (SE3.exp(a) @ SE3.exp(b)).log(), (_swapped(poses.other), _swapped(poses.exponential)),
-        ),
-    }  # fmt: skip
-    compute, given = jax.jit(maps[function][0]), [jax.numpy.asarray(array) for array in maps[function][1]]
-    return lambda: compute(*given).block_until_ready()
+    given = _given(text, names)
+    function = jax.jit(eval(f"lambda {', '.join(given)}: {text}", names))
+    return lambda: function(*given.values()).block_until_ready()
 
 
-def _looped(count: int, one: Callable[..., object], *arrays: Any) -> Call | None:
-    """Return a call pose by pose, or None if there are more than `LOOPED`."""
-    if arrays[0].ndim == count:
-        return lambda: one(*arrays)
-    return (lambda: [one(*each) for each in zip(*arrays, strict=True)]) if len(arrays[0]) <= LOOPED else None
+def looped(text: str, names: Names, size: int) -> Call | None:
+    """Return a call pose by pose, or None for more than `LOOPED`."""
+    given = _given(text, names)
+    each = f"[{text} for {', '.join(given)}, in zip({', '.join(given)}, strict=True)]"
+    return at_once(text if size == 1 else each, names, size) if size <= LOOPED else None
 
 
-def pinocchio_call(function: str, poses: Poses) -> Call | None:
-    pin = load("pinocchio")
-    if pin is None:
-        return None
-    first, second = _swapped(poses.other), _swapped(poses.exponential)
-    if function == "pose":
-        return _looped(1, lambda e: pin.exp6(e).homogeneous, second)
-    if function == "from_pose":
-        return _looped(2, lambda T: pin.log6(T).vector, poses.T)
-    return _looped(1, lambda a, b: pin.log6(pin.exp6(a) * pin.exp6(b)).vector, first, second)
-
-
-def symforce_call(function: str, poses: Poses) -> Call | None:
-    sym = load("sym")
-    if sym is None or function == "from_pose":  # SymForce cannot make a pose from a matrix
-        return None
-    make = sym.Pose3.from_tangent
-    if function == "pose":
-        return _looped(1, lambda e: make(e).to_homogenous_matrix(), poses.exponential)
-    return _looped(1, lambda a, b: make(a).compose(make(b)).to_tangent(), poses.other, poses.exponential)
+def _given(text: str, names: Names) -> Names:
+    """Return the arguments that occur in a call."""
+    return {letter: names[letter] for letter in compile(text, "call", "eval").co_names if len(letter) == 1}
 
 
 @dataclass(frozen=True, slots=True)
 class Library:
-    """Library with its distribution, how it is called, and the function that makes a call."""
+    """Library with its distribution, the names that its calls use, their texts by function, and how they are called.
+
+    The second text of ``compose`` multiplies kept transforms, and takes no logarithm.
+    """
 
     distribution: str
-    manner: str
-    call: Callable[[str, Poses], Call | None]
+    names: Callable[[Poses], Names]
+    texts: Mapping[str, tuple[str, ...]]
+    manner: Callable[[str, Names, int], Call | None] = at_once
 
-    def label(self, name: str) -> str:
-        """Return the name of the library with the manner of its call."""
-        return f"{name}, {self.manner}" if self.manner else name
+    def calls(self, function: str, poses: Poses, size: int) -> dict[str, Call]:
+        """Return the calls for a function by their texts; none if the library or the function is missing."""
+        try:
+            names = self.names(poses) if function in self.texts else {}
+        except (ImportError, AttributeError):
+            return {}
+        made = {text: self.manner(text, names, size) for text in self.texts.get(function, ())}
+        return {text: call for text, call in made.items() if call is not None}
 
 
 LIBRARIES: Mapping[str, Library] = {
-    "SciPy": Library("scipy", "", scipy_call),
-    "pytransform3d": Library("pytransform3d", "", pytransform3d_call),
-    "jaxlie": Library("jaxlie", "jitted", jaxlie_call),
-    "pinocchio": Library("pin", "pose by pose", pinocchio_call),
-    "SymForce": Library("symforce-sym", "pose by pose", symforce_call),
-}
+    "SciPy": Library("scipy", scipy_names, {
+        "pose": ("RigidTransform.from_exp_coords(e).as_matrix()",),
+        "quaternion": ("RigidTransform.from_exp_coords(e).as_dual_quat(scalar_first=True)",),
+        "from_pose": ("RigidTransform.from_matrix(T).as_exp_coords()",),
+        "from_quaternion": ("RigidTransform.from_dual_quat(q, scalar_first=True).as_exp_coords()",),
+        "compose": (
+            "(RigidTransform.from_exp_coords(f) * RigidTransform.from_exp_coords(e)).as_exp_coords()", "A * B",
+        ),
+    }),
+    "pytransform3d": Library("pytransform3d", pytransform3d_names, {
+        "pose": ("transforms_from_exponential_coordinates(e)",),
+        "quaternion": ("dual_quaternions_from_transforms(transforms_from_exponential_coordinates(e))",),
+        "from_pose": ("exponential_coordinates_from_transforms(T)",),
+        "compose": (
+            "exponential_coordinates_from_transforms(concat_many_to_many(transforms_from_exponential_coordinates(e), "
+            "transforms_from_exponential_coordinates(f)))", "concat_many_to_many(B, A)",
+        ),
+    }),
+    "jaxlie": Library("jaxlie", jaxlie_names, {
+        "pose": ("SE3.exp(e).as_matrix()",),
+        "from_pose": ("SE3.from_matrix(T).log()",),
+        "compose": ("(SE3.exp(f) @ SE3.exp(e)).log()", "(A @ B).parameters()"),
+    }, jitted),
+    "pinocchio": Library("pin", pinocchio_names, {
+        "pose": ("exp6(e).homogeneous",),
+        "from_pose": ("log6(T).vector",),
+        "compose": ("log6(exp6(f) * exp6(e)).vector", "A * B"),
+    }, looped),
+    "SymForce": Library("symforce-sym", symforce_names, {
+        "pose": ("Pose3.from_tangent(e).to_homogenous_matrix()",),
+        "compose": ("Pose3.from_tangent(f).compose(Pose3.from_tangent(e)).to_tangent()", "A.compose(B)"),
+    }, looped),
+}  # fmt: skip
 """Every library by name; measurements of speed and of accuracy choose from this list."""
 
 

@@ -23,7 +23,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from benchmarks.page import write_section
-from benchmarks.timing import Call, markdown, paired_ratio
+from benchmarks.timing import Call, fix_allocator, markdown, paired_ratio
 
 PRESENT = Path(__file__).parents[1] / "generated" / "dualcay"
 COMMAND = "python -m benchmarks.recorded --against OTHER/generated/dualcay"
@@ -150,4 +150,5 @@ def main(given: Sequence[str] | None = None) -> None:
 
 
 if __name__ == "__main__":
+    fix_allocator()
     main()

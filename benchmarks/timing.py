@@ -1,22 +1,49 @@
 """Processor time of calls that take turns in one process, on one core except for JAX.
 
 Other processes hardly affect processor time. Times depend on the machine. Ratios on different machines agree within
-some 15 %; ratios of two forms of one program (`paired_ratio`) agree within a few hundredths.
+some 15 %; ratios of two forms of one program (`paired_ratio`) agree within a few hundredths. Commands that measure
+begin with `fix_allocator`, for new pages of large results may cost more than the computation.
 """
 
 from __future__ import annotations
 
 import os
 import statistics
-from collections.abc import Callable, Iterator, Sequence
+import sys
+from collections.abc import Callable, Hashable, Iterator, Mapping, Sequence
 from contextlib import contextmanager, nullcontext
 from time import process_time
+from typing import TypeVar
 
 Call = Callable[[], object]
+Key = TypeVar("Key", bound=Hashable)
 
 ROUNDS = 9
-SECONDS = 0.02
+SECONDS = 0.01
 """Seconds that a call is repeated in each round."""
+
+LARGE, ROUNDS_OF_LARGE = 1_000_000, 5
+"""Number of poses from which fewer rounds are timed, and the number of these rounds."""
+
+ALLOCATOR = {"MALLOC_MMAP_THRESHOLD_": "1073741824", "MALLOC_TRIM_THRESHOLD_": "4294967296"}
+"""Thresholds of malloc with which freed memory stays with the process; glibc reads them when a process starts."""
+
+
+def fix_allocator() -> None:
+    """Start this command again with the thresholds of `ALLOCATOR`, unless they are set."""
+    if not allocator_is_fixed():
+        os.execve(sys.executable, [sys.executable, *sys.orig_argv[1:]], os.environ | ALLOCATOR)
+
+
+def allocator_is_fixed() -> bool:
+    """Return whether this process was started with the thresholds."""
+    return ALLOCATOR.items() <= os.environ.items()
+
+
+def measured(calls: Mapping[Key, Call], size: int, kept: bool = True) -> dict[Key, float]:
+    """Return median nanoseconds per pose by name; ``kept`` keeps the process on one core."""
+    found = medians([*calls.values()], ROUNDS if size < LARGE else ROUNDS_OF_LARGE, kept)
+    return {name: seconds / size * 1e9 for name, seconds in zip(calls, found, strict=True)}
 
 
 def medians(calls: Sequence[Call], count: int = ROUNDS, kept: bool = True) -> list[float]:
@@ -78,5 +105,10 @@ def _seconds(call: Call, repeats: int) -> float:
 
 def markdown(title: str, head: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
     """Return a section that consists of a table."""
-    lines = [f"## {title}", "", "| " + " | ".join(head) + " |", "|" + "---|" * len(head)]
-    return "\n".join([*lines, *("| " + " | ".join(row) + " |" for row in rows), ""])
+    return f"## {title}\n\n{table(head, rows)}\n"
+
+
+def table(head: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
+    """Return a table in Markdown."""
+    lines = ["| " + " | ".join(head) + " |", "|" + "---|" * len(head)]
+    return "\n".join([*lines, *("| " + " | ".join(row) + " |" for row in rows)])

@@ -1,4 +1,4 @@
-"""Checks of the benchmarks: peers and kernels compute equal results, reports name missed gates; GPU script."""
+"""Checks of what benchmarks time: peers and kernels compute equal results; GPU script."""
 
 from __future__ import annotations
 
@@ -12,8 +12,9 @@ from typing import Any
 import numpy as np
 import pytest
 
-from benchmarks import derivatives, forms, kernels, timing
+from benchmarks import derivatives, forms, kernels, maps, peers
 from benchmarks.peers import Poses
+from dualcay import exponential
 from tests.support.kernels import load
 
 ORDER = 1  # order at which SymPy derives every function in a second
@@ -66,6 +67,14 @@ def test_jax_derivatives_are_by_the_named_argument(monkeypatch: pytest.MonkeyPat
         np.testing.assert_allclose(np.asarray(calls["jitted"]()), expected[function], rtol=1e-14)
 
 
+@pytest.mark.thorough
+def test_printed_kernels_are_differentiated() -> None:
+    jax = pytest.importorskip("jax")
+    v, w = (a[0] for a in given("tangent_dot"))
+    _, found = derivatives.jax_calls(jax, ORDER, "tangent_dot", (v, w)).values()  # uncompiled
+    np.testing.assert_allclose(np.asarray(found()), load(ORDER).tangent_dot(v, w), **CLOSE)
+
+
 def test_benchmarks_respect_the_memory_limit(monkeypatch: pytest.MonkeyPatch) -> None:
     rows = tuple(np.ascontiguousarray(a.T) for a in given("rate_jacobian"))
     assert forms.lambdify_call(ORDER, "rate_jacobian", rows) is not None
@@ -74,52 +83,76 @@ def test_benchmarks_respect_the_memory_limit(monkeypatch: pytest.MonkeyPatch) ->
     assert forms.lambdify_call(3, "compose_jacobians", rows) is None
 
 
-def test_missed_speed_gates_are_named(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Replace measured times: our call takes one unit, a JAX call 30 units, a compiled JAX call 10 units."""
-    units = {"ours": 1.0, "called": 30.0, "jitted": 10.0, "steps": 2.0}
-    monkeypatch.setattr(kernels, "measured", lambda calls, *_, **__: {name: units[name] for name in calls})
-    monkeypatch.setattr(derivatives, "jax_calls", lambda *_: {"jitted": int, "called": int})
-    monkeypatch.setattr(kernels, "load", importlib.import_module)
-    found = [gate for _, gates in kernels.of_derivatives(load(ORDER), 1) for gate in gates]
-    assert {gate.what for gate in found if not gate.met} == {f"{f}, n = 1, N = 1: JAX, jitted" for f in FUNCTIONS}
-    assert {gate.what for gate in found if gate.met} == {f"{f}, n = 1, N = 1: JAX, called" for f in FUNCTIONS}
-
-
-def test_gate_that_a_copy_misses_is_marked() -> None:
-    said = [kernels.Gate("a", *ratios).row()[-1] for ratios in ((1.0, 2.0, 3.0), (1.0, 2.0, 1.5), (2.5, 2.0, 3.0))]
-    assert said == ["SHORT", "SHORT, of a copy 1.5 x", "met"]
-
-
 def test_rows_are_timed_with_one_result_and_with_two(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(timing, "SECONDS", 1e-5)
-    monkeypatch.setattr(kernels, "ROWS", {"rate_dot": 3, "compose_jacobians": 2})
     monkeypatch.setattr(kernels, "compiled", lambda *_: None)
-    for row, _ in kernels.on_rows(load(ORDER), 100):
-        assert float(row[3]) > 0
-        assert " x)" in row[4]
+    for function, text in (("rate_dot", "rate_dot(v, w, z, axis=0, out=out)"), ("compose_jacobians", "(v, w, axis=0)")):
+        calls = kernels.row_calls(ORDER, function, 100)
+        assert [by for by, _, _ in calls] == [kernels.NUMPY, kernels.LAMBDIFY, kernels.COPY]
+        assert next(iter(calls))[2].endswith(text)
+        assert [call() is not None for call in calls.values()][:2] == [True, True]
 
 
-def test_gates_depend_on_the_chart(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Expect two gates for exponential coordinates, and only gates of forward maps for a chart of order 3."""
-    units = {"ours": 1.0, "scipy": 7.0, "pytransform3d": 2.0}
-    monkeypatch.setattr(kernels, "measured", lambda calls, *_, **__: {k: units[k] for k, call in calls.items() if call})
-    decided = {}
-    for name in ("exponential", "lambert", "sine3"):
-        lines = [*kernels.against_libraries(importlib.import_module(f"dualcay.{name}"), 1)]
-        assert [row[:2] for row, _ in lines] == [(name, function) for function in kernels.OF_ALGEBRAIC]
-        decided[name] = {gate.what.split(",")[0]: gate.met for _, gates in lines for gate in gates}
-    assert decided["exponential"] == {"pose": True, "from_pose": True}
-    assert decided["lambert"] == dict.fromkeys(kernels.OF_ALGEBRAIC, False)
-    assert decided["sine3"] == dict.fromkeys(kernels.FORWARD, False)
+def test_derivatives_are_timed_beside_jax_and_complex_steps(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(derivatives, "jax_calls", lambda *_: {"jitted": int, "called": int})
+    monkeypatch.setattr(kernels, "load", lambda _: True)
+    for function in FUNCTIONS:
+        found = [by for by, _, _ in kernels.derivative_calls(ORDER, function, 1)]
+        stepped = [] if function == "compose_jacobians" else [kernels.STEPS]
+        assert found == [kernels.NUMPY, kernels.JITTED, kernels.CALLED, *stepped]
 
 
-@pytest.mark.parametrize("name", kernels.FAMILIES)
+@pytest.mark.parametrize("name", maps.FORMS[maps.NUMPY])
 def test_chart_vectors_and_library_arguments_are_the_same_poses(name: str) -> None:
     """Compare v and w. At 3 rad, the angle computed from sin(α/2) has an error of 14 roundings."""
-    module = importlib.import_module(f"dualcay.{name}")
-    poses = Poses.draw(module, 5)
+    module, poses = importlib.import_module(f"dualcay.{name}"), maps.drawn(name, 5)
     np.testing.assert_allclose(module.to_exponential(poses.v), poses.exponential, rtol=0, atol=1e-13)
     np.testing.assert_allclose(module.to_exponential(poses.w), poses.other, rtol=0, atol=1e-13)
+
+
+def as_pose(library: str, result: Any) -> np.ndarray:
+    """Return homogeneous matrices from a result of a library: matrices, a transform of its own, or coordinates."""
+    if isinstance(result, list):
+        return np.stack([as_pose(library, each) for each in result])
+    for convert in ("as_matrix", "homogeneous", "to_homogenous_matrix"):
+        if hasattr(result, convert):
+            found = getattr(result, convert)
+            return np.asarray(found() if callable(found) else found)
+    found = np.asarray(result)
+    if found.shape[-1] == 4:
+        return found
+    if found.shape[-1] == 7:  # jaxlie's parameters: quaternion, translation
+        return np.asarray(importlib.import_module("jaxlie").SE3(found).as_matrix())
+    if found.shape[-1] == 8:
+        return np.asarray(exponential.pose(exponential.from_quaternion(found)))
+    order = peers.SWAP if library in ("jaxlie", "pinocchio") else np.arange(6)
+    return np.asarray(exponential.pose(found[..., order]))
+
+
+SLOWLY = {"jaxlie": pytest.mark.thorough}  # compiled
+WHOLE = [name for name in peers.LIBRARIES if name != "SymForce"]  # which leaves the translation as it is
+
+
+@pytest.mark.parametrize("size", [1, 3])
+@pytest.mark.parametrize("library", [pytest.param(name, marks=SLOWLY.get(name, ())) for name in WHOLE])
+def test_calls_of_libraries_compute_the_same_poses(library: str, size: int) -> None:
+    """Allow 1e-9: logarithms of two libraries lose digits at 3 rad. A library that is not installed has no calls."""
+    poses = maps.drawn("exponential", size)
+    for function in maps.FUNCTIONS:
+        expected = poses.T if function != "compose" else exponential.pose(exponential.compose(poses.w, poses.v))
+        for text, call in peers.LIBRARIES[library].calls(function, poses, size).items():
+            found = as_pose(library, call())
+            np.testing.assert_allclose(found.reshape(expected.shape), expected, rtol=0, atol=1e-9, err_msg=text)
+
+
+def test_missing_libraries_have_no_calls_and_loops_end(monkeypatch: pytest.MonkeyPatch) -> None:
+    poses = maps.drawn("exponential", 3)
+    looped = peers.Library("looped", lambda poses: {"e": poses.exponential, "twice": lambda e: 2 * e},
+                           {"pose": ("twice(e)",)}, peers.looped)  # fmt: skip
+    [call] = looped.calls("pose", poses, 3).values()
+    np.testing.assert_array_equal(call(), 2 * poses.exponential)
+    assert looped.calls("pose", poses, 2 * peers.LOOPED) == looped.calls("rate", poses, 3) == {}
+    monkeypatch.setitem(sys.modules, "jaxlie", None)
+    assert peers.LIBRARIES["jaxlie"].calls("pose", poses, 3) == {}
 
 
 QUICKLY = {"XLA_FLAGS": "--xla_backend_optimization_level=0"}

@@ -1,10 +1,8 @@
-"""Tests of sections of the page: each has its lines, gates and pictures, and unmeasured sections stay unchanged."""
+"""Tests of sections that are measured and written apart, and of pictures."""
 
 from __future__ import annotations
 
 import math
-import sys
-from contextlib import nullcontext
 from pathlib import Path
 
 import mpmath
@@ -18,75 +16,8 @@ from tests.support import sampling
 
 pytest.importorskip("matplotlib")
 
-from benchmarks import __main__ as command
-from benchmarks import compiling, libraries, motion, native, propagate, timing
+from benchmarks import compiling, motion, propagate, timing
 from tests.support import motions
-from tests.support.kernels import load
-
-
-@pytest.fixture
-def hasty(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(timing, "SECONDS", 1e-6)
-
-
-@pytest.mark.usefixtures("hasty")
-def test_every_function_has_a_line_and_gates_of_its_size(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(native, "c_form", lambda order: None)
-    for size in (1, 3):
-        lines = list(native.rows(load(2), load(2), size))
-        assert [line[1] for line, _ in lines] == list(native.FUNCTIONS)
-        assert {len(line) for line, _ in lines} == {9}
-        alone = [gate for _, gates in lines for gate in gates if gate.what.endswith("1.2 µs")]
-        assert len(alone) == (len(native.FUNCTIONS) if size == 1 else 0)
-
-
-def test_threads_are_timed_against_one() -> None:
-    gate = native.threaded(load(1), rounds=1, repeats=1)
-    assert gate.ratio > 0
-    assert "2 threads against one" in gate.what
-
-
-@pytest.mark.usefixtures("hasty")
-def test_section_on_libraries_has_tables_a_picture_and_faster_ones(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr(libraries, "compiled", lambda: nullcontext("dualcay"))
-    monkeypatch.setattr(libraries, "_numba", lambda folder: {})
-    few = {name: libraries.LIBRARIES[name] for name in ("SciPy", "pytransform3d")}
-    monkeypatch.setattr(libraries, "LIBRARIES", few)
-    text = libraries.section((1, 3), tmp_path / "lines.png")
-    assert "](lines.png)" in text
-    assert (tmp_path / "lines.png").read_bytes().startswith(b"\x89PNG")
-    for title in libraries.TITLES.values():
-        table = text.partition(f"## {title.capitalize()}")[2].partition("\n\n## ")[0]
-        assert table.count("\n| NumPy, n = 2 |") == table.count("\n| SciPy |") == 1
-    found = {"NumPy, exponential": {1: 2.0, 3: 3.0}, "SciPy": {1: 4.0, 3: 1.0}}
-    assert list(libraries.faster("pose", found, ["NumPy"])) == [
-        "- pose: SciPy is faster than NumPy, exponential at N = 3 (3 x)."
-    ]
-
-
-def test_the_page_holds_all_sections_and_keeps_those_that_are_not_measured(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-) -> None:
-    page = tmp_path / "docs" / "speed.md"
-    texts = {"kernels": "## One\n\nfirst", "native": "## Two\n\nearlier", "libraries": "## Three"}
-
-    def measure(*names: str) -> str:
-        sections = {name: lambda text=text: f"{text}\n" for name, text in texts.items()}  # type: ignore[misc]
-        monkeypatch.setattr(command, "SECTIONS", sections)
-        monkeypatch.setattr(sys, "argv", ["benchmarks", "-o", str(page), *(["--section", *names] if names else [])])
-        command.main()
-        return page.read_text(encoding="utf-8")
-
-    whole = measure()
-    assert whole.startswith(command.page.INTRODUCTION)
-    assert texts["libraries"] in capsys.readouterr().out
-    assert [whole.index(text) for text in texts.values()] == sorted(whole.index(text) for text in texts.values())
-    texts["native"] = "## Two\n\nanew"
-    assert measure("native") == whole.replace("earlier", "anew")
-    texts["kernels"] = "## One\n\nother"
-    assert measure("native") == whole.replace("earlier", "anew")
 
 
 def test_section_on_propagate_has_a_row_for_each_case() -> None:

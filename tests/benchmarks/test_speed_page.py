@@ -1,0 +1,241 @@
+"""Page of speeds: printed from its data, one time for one call, gates and faster libraries named, the rest folded."""
+
+from __future__ import annotations
+
+import os
+import re
+import subprocess
+import sys
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from benchmarks import __main__ as command
+from benchmarks import gates, kernels, maps, native, page, plot, slower, tables, times, timing
+from benchmarks.maps import COMPILED, NUMPY, PART
+from benchmarks.peers import LIBRARIES
+from benchmarks.times import Data, Timed
+
+PAGE = times.FILE.with_suffix(".md")
+SIZES = (1, 100, 10_000)
+
+
+def of(by: str, chart: str, ns: float, function: str = "pose", call: str = "", part: str = PART) -> Timed:
+    call = call or (LIBRARIES[by].texts[function][0] if by in LIBRARIES else f"{chart}.{function}(v)")
+    return Timed(part, by, chart, function, call, dict.fromkeys(SIZES, ns))
+
+
+def data(*measured: Timed, commit: str = "1") -> Data:
+    return Data(commit, {"SciPy": "1.17"}, measured)
+
+
+# --- the committed page -----------------------------------------------------------------------------------------------
+
+
+@pytest.mark.smoke
+def test_page_is_printed_from_its_data() -> None:
+    found, text = times.read(), PAGE.read_text(encoding="utf-8")
+    kept = page.sections(text)
+    kept.pop("")
+    assert text == page.joined(page.head(found), kept | tables.sections(found))
+    assert page.figures(found) in times.README.read_text(encoding="utf-8")
+
+
+def lines(text: str) -> Iterator[tuple[list[str], list[str]]]:
+    """Yield the cells of the heading and of each line, of all tables of a page."""
+    head: list[str] = []
+    for line in text.splitlines():
+        cells = [cell.strip() for cell in line.strip("|").split(" | ")] if line.startswith("|") else []
+        if cells and head and not cells[0].startswith("---"):
+            yield head, cells
+        head = (head or cells) if cells else []
+
+
+def test_one_call_of_a_library_has_one_time() -> None:
+    """Compare tables of maps with the first table, which shows the least times."""
+    found: dict[tuple[str, str, str], set[str]] = {}
+    for head, cells in lines(PAGE.read_text(encoding="utf-8")):
+        if head[-1] == "call":
+            for size, ns in zip(head[1:-1], cells[1:-1], strict=True) if cells[0] in LIBRARIES else ():
+                found.setdefault((cells[0], cells[-1], size), set()).add(ns)
+    assert all(len(every) == 1 for every in found.values())
+    each = [(of.part, of.by, of.chart, of.function, of.call) for of in times.read().times]
+    assert len(each) == len({*each})
+    shown = {ns for every in found.values() for ns in every}
+    least = [cells[1:] for _, cells in lines(PAGE.read_text(encoding="utf-8")) if cells[0] in page.OTHERS]
+    assert len(least) == len(page.SCREEN) + 1
+    assert {cell.split()[0] for cells in least for cell in cells} <= shown
+    assert {library for library, of in LIBRARIES.items() if "pose" in of.texts} <= {name for name, _, _ in found}
+    both = {call for name, call, _ in found if name == "SciPy" and "*" in call}
+    assert both == {f"`{text}`" for text in LIBRARIES["SciPy"].texts["compose"]}
+
+
+def test_first_screen_is_short_and_the_rest_is_folded() -> None:
+    found = page.sections(PAGE.read_text(encoding="utf-8"))
+    first = found.pop("")
+    assert first.count("\n| ") - 1 <= 10
+    assert plot.FILE.name in first
+    assert "**Slower than others in:**" in first
+    assert page.COMMAND in first
+    assert all(f"{name}={value}" in first for name, value in timing.ALLOCATOR.items())
+    assert list(found)[-1] == "gates"
+    for name, text in found.items():
+        assert text.count("<details>") == text.count("</details>"), name
+        assert not re.search(r"^\|", re.sub(r"<details>.+?</details>", "", text, flags=re.DOTALL), re.MULTILINE), name
+
+
+def test_everything_slower_has_a_reason() -> None:
+    missed = [gate.why for gate in gates.every(times.read()) if not gate.met]
+    assert {*missed, *(faster.why for faster in slower.every(times.read()))} <= slower.REASONS.keys()
+
+
+# --- data -------------------------------------------------------------------------------------------------------------
+
+
+def test_data_are_read_as_they_are_written(tmp_path: Path) -> None:
+    file = tmp_path / "times.json"
+    first = data(of("SciPy", "", 2.5), of(NUMPY, "cayley2", 1.0))
+    first.write(file)
+    assert times.read(file) == replace(first, times=list(first.times))
+    assert times.read(tmp_path / "none.json").times == []
+
+
+def test_times_of_missing_libraries_are_kept_with_their_commit() -> None:
+    former = data(of("SciPy", "", 5.0), of(NUMPY, "cayley2", 2.0))
+    kept = data(of(NUMPY, "cayley2", 1.0), commit="2").with_missing(former)
+    again = data(of(NUMPY, "cayley2", 1.5), commit="3").with_missing(kept)
+    for found in (kept, again):
+        assert found.kept == {"SciPy": "1.17, commit 1"}
+        assert found.ns(PART, "SciPy", "pose") == dict.fromkeys(SIZES, 5.0)
+        assert "SciPy was missing: its times are those of 1.17, commit 1." in page.head(found)
+    assert data(of("SciPy", "", 4.0)).with_missing(data(of("SciPy", "", 5.0))).kept == {}
+    assert "not installed" in tables.sections(data(of(NUMPY, "cayley2", 1.0)))["maps"]
+
+
+# --- gates and faster libraries ---------------------------------------------------------------------------------------
+
+
+def decided(*measured: Timed) -> dict[str, bool]:
+    return {gate.what: gate.met for gate in gates.every(data(*measured))}
+
+
+def test_missed_gates_are_named_first() -> None:
+    found = decided(of("SciPy", "", 7.0), of(NUMPY, "exponential", 1.0), of(NUMPY, "cayley2", 1.0))
+    assert found == {
+        "pose, n = 2, N = 1: SciPy": False, "pose, exponential, N = 1: SciPy": True,
+        "pose, exponential, N = 10000: SciPy": True, "pose, exponential, N = 100: SciPy": True,
+        "pose, n = 2, N = 10000: SciPy": True, "pose, n = 2, N = 100: SciPy": True,
+    }  # fmt: skip
+    assert [*found.values()] == sorted(found.values())
+
+
+def test_inverse_maps_of_high_orders_have_no_gates() -> None:
+    for chart, gated in (("cayley2", [*gates.OF_ALGEBRAIC]), ("cayley3", [*gates.FORWARD])):
+        both = (("SciPy", ""), (NUMPY, chart))
+        each = [of(by, at, 1.0, function) for by, at in both for function in gates.OF_ALGEBRAIC]
+        assert {what.partition(",")[0] for what in decided(*each)} == {*gated}
+
+
+def test_parts_have_gates() -> None:
+    by = {
+        kernels.ON_ROWS: (NUMPY, kernels.LAMBDIFY, kernels.C_FORM, kernels.COPY),
+        native.PART: (native.OURS, native.C_LOOP), kernels.DERIVATIVES: (NUMPY, kernels.CALLED),
+    }  # fmt: skip
+    for part, names in by.items():
+        found = decided(*(of(name, "cayley2", 1.0, part=part) for name in names))
+        assert found
+        assert all(met == (part == native.PART) for met in found.values())
+    alone = decided(of(COMPILED, "cayley2", 1000.0), of("SciPy", "", 21e3))
+    assert alone["pose, compiled, n = 2, N = 1: 1.2 µs"]
+    assert alone["pose, compiled, n = 2, N = 10000: SciPy"]
+
+
+def test_gate_that_a_copy_misses_is_marked() -> None:
+    each = ((1.0, 2.0, 3.0), (1.0, 2.0, 1.5), (2.5, 2.0, 3.0))
+    said = [gates.Gate("a", ratio, least, "memory", largest).row()[-1] for ratio, least, largest in each]
+    assert said == ["SHORT: memory", "SHORT: memory; of a copy 1.5 x", "met"]
+
+
+def test_faster_calls_are_named_with_their_reason() -> None:
+    found = data(
+        of(NUMPY, "cayley2", 3.0), of("SciPy", "", 1.0), of("pytransform3d", "", 2.9),
+        of(NUMPY, "cayley2", 3.0, "compose"), of("SciPy", "", 2.0, "compose", "A * B"),
+        of(NUMPY, "cayley2", 3.0, "rate", part=kernels.ON_ROWS),
+        of(kernels.LAMBDIFY, "cayley2", 1.0, "rate", part=kernels.ON_ROWS),
+    )  # fmt: skip
+    kinds = {faster.why: (faster.peer.by, list(faster.ratios)) for faster in slower.every(found)}
+    assert kinds == {
+        slower.KEPT: ("SciPy", [*SIZES]), slower.ONE: ("SciPy", [1]), slower.BATCH: ("SciPy", [100]),
+        slower.ARITHMETIC: ("SciPy", [10_000]), slower.EXPANDED: (kernels.LAMBDIFY, [*SIZES]),
+    }  # fmt: skip
+    assert len(slower.summary(found)) == len(kinds)
+    assert "- batches in NumPy, N = 100 (up to SciPy 3 x): " in "\n".join(slower.summary(found))
+
+
+# --- the command ------------------------------------------------------------------------------------------------------
+
+
+def test_command_writes_page_data_and_plot_and_keeps_other_sections(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    output = tmp_path / "speed.md"
+    output.write_text(page.joined("# Speed", {"recorded": "## Former\n\n| a |\n|---|\n| 1 |\n"}), encoding="utf-8")
+    monkeypatch.setattr(sys, "argv", ["benchmarks", "-o", str(output)])
+    monkeypatch.setattr(command, "measure", lambda: [of(NUMPY, "cayley2", 1.0), of("SciPy", "", 2.0)])
+    monkeypatch.setattr(command.motion, "section", lambda: "## Motion")
+    monkeypatch.setattr(command.propagate, "section", lambda: "## Propagation")
+    monkeypatch.setattr(command, "allocator_is_fixed", lambda: False)
+    with pytest.raises(RuntimeError, match="not fixed"):
+        command.main()
+    monkeypatch.setattr(command, "allocator_is_fixed", lambda: True)
+    command.main()
+    whole = output.read_text(encoding="utf-8")
+    assert whole.startswith(page.INTRODUCTION)
+    assert "<details><summary>Table, 1 rows</summary>\n\n| a |" in whole
+    assert whole.index("## Motion") < whole.index("## Propagation") < whole.index("## Former") < whole.index("## Gates")
+    assert output.with_suffix(".png").read_bytes().startswith(b"\x89PNG")
+    monkeypatch.setattr(sys, "argv", ["benchmarks", "-o", str(output), "--print"])
+    command.main()
+    assert output.read_text(encoding="utf-8") == whole
+
+
+def test_calls_are_timed_in_groups(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(timing, "SECONDS", 1e-6)
+    monkeypatch.setattr(native, "c_form", lambda order: None)
+    monkeypatch.setattr(maps, "LIBRARIES", {"SciPy": LIBRARIES["SciPy"]})
+    found = list(times.timed(PART, [("pose", size, maps.calls({NUMPY: "dualcay"}, "pose", size)) for size in (1, 3)]))
+    assert {timed.by for timed in found} >= {NUMPY, "SciPy", maps.COPY}
+    assert all(list(timed.ns) == [1, 3] and min(timed.ns.values()) > 0 for timed in found)
+    calls = native.calls("dualcay", 2, "pose", 3)
+    assert list(calls) == [(native.OURS, "cayley2", "cayley2.pose(v, out=out)")]
+    assert [timed.by for timed in native.threaded("dualcay", 1, rounds=1, repeats=1)] == ["threads: 1", "threads: 2"]
+
+
+# --- the allocator ----------------------------------------------------------------------------------------------------
+
+FIXED = """
+from benchmarks.timing import allocator_is_fixed, fix_allocator
+print(allocator_is_fixed(), flush=True)
+fix_allocator()
+"""
+
+
+def environment(further: Mapping[str, str]) -> dict[str, str]:
+    path = os.pathsep.join([str(times.ROOT), str(times.ROOT / "generated")])
+    return {"PYTHONPATH": path, "PATH": os.environ["PATH"], **further}
+
+
+def test_process_starts_again_with_a_fixed_allocator() -> None:
+    for further, said in (({}, ["False", "True"]), (timing.ALLOCATOR, ["True"])):
+        run = [sys.executable, "-c", FIXED]
+        done = subprocess.run(run, env=environment(further), capture_output=True, text=True, check=True)
+        assert done.stdout.split() == said
+
+
+def test_every_command_that_measures_fixes_the_allocator() -> None:
+    for file in (times.ROOT / "benchmarks").glob("*.py"):
+        text = file.read_text(encoding="utf-8")
+        if "from benchmarks.timing import" in text and '__name__ == "__main__"' in text:
+            assert '__main__":\n    fix_allocator()\n    main()' in text, file.name
