@@ -74,11 +74,13 @@ def build(charts: Sequence[Chart], target: Target, progress: Progress = silent, 
     return Package(shared, tuple(module for module in found if module.proved.formulas in charts))
 
 
-def print_package(charts: Sequence[Chart], target: Target, progress: Progress = silent) -> Package:
-    """Prove, lower and print charts without checking: enough to compare a folder with the printed texts."""
+def print_package(
+    charts: Sequence[Chart], target: Target, progress: Progress = silent, tested: bool = True
+) -> Package:
+    """Prove, lower and print charts, with their tests if ``tested``, without checking."""
     with progress(2 * len(charts)) as report:
         lowered = map(lower, map(prove, announced(charts, "proving", report)))
-        printed = (print_module(chart, target) for chart in announced(lowered, "printing", report))
+        printed = (print_module(chart, target, tested) for chart in announced(lowered, "printing", report))
         return Package(shared_texts(target), tuple(printed))
 
 
