@@ -33,13 +33,17 @@ GC_THRESHOLD = 20_000  # number of allocations between two garbage collections w
 
 @dataclass(frozen=True, slots=True)
 class Written:
-    """Module on disk, as a worker process receives it; with ``geometry`` it checks what all charts share too."""
+    """Module on disk, as a worker process receives it; with ``geometry`` it checks what all charts share too.
+
+    Its own tests are compiled if ``tested``: a chart that was not asked for has none.
+    """
 
     name: str
     chart: Chart
     target: Target
     folder: Path
     geometry: bool
+    tested: bool
 
 
 Record = TypeVar("Record", Chart, Lowered, Module, Written)
@@ -60,31 +64,35 @@ def build(charts: Sequence[Chart], target: Target, progress: Progress = silent, 
         files.write(folder, shared)
         proved = map(prove, announced(built, "proving", report))
         lowered = map(lower, proved)
-        printed, modules = tee(print_module(chart, target) for chart in announced(lowered, "printing", report))
-        written = (write(module, target, folder, geometry) for module in printed)
+        printed, modules = tee(
+            print_module(chart, target, chart.chart in charts) for chart in announced(lowered, "printing", report)
+        )
+        written = (write(module, target, folder, geometry, charts) for module in printed)
         checked = each(check, announced(written, "checking", report), processes)
         counted = (replace(module, counts=counts) for module, counts in zip(modules, checked))
         found = tuple(announced(counted, "checked", report))
     return Package(shared, tuple(module for module in found if module.proved.formulas in charts))
 
 
-def print_package(charts: Sequence[Chart], target: Target, progress: Progress = silent) -> Package:
-    """Prove, lower and print charts without checking: enough to compare a folder with the printed texts."""
+def print_package(
+    charts: Sequence[Chart], target: Target, progress: Progress = silent, tested: bool = True
+) -> Package:
+    """Prove, lower and print charts, with their tests if ``tested``, without checking."""
     with progress(2 * len(charts)) as report:
         lowered = map(lower, map(prove, announced(charts, "proving", report)))
-        printed = (print_module(chart, target) for chart in announced(lowered, "printing", report))
+        printed = (print_module(chart, target, tested) for chart in announced(lowered, "printing", report))
         return Package(shared_texts(target), tuple(printed))
 
 
-def print_module(lowered: Lowered, target: Target) -> Module:
-    return Module(module_name(lowered.chart, target), lowered.proved, module_texts(Facts(lowered), target))
+def print_module(lowered: Lowered, target: Target, tested: bool = True) -> Module:
+    return Module(module_name(lowered.chart, target), lowered.proved, module_texts(Facts(lowered), target, tested))
 
 
-def write(module: Module, target: Target, folder: Path, geometry: Chart) -> Written:
+def write(module: Module, target: Target, folder: Path, geometry: Chart, asked: Sequence[Chart]) -> Written:
     """Write a module beside the files that it shares with others; ``geometry`` is the chart that checks these."""
     files.write(folder, module.texts)
     chart = module.proved.formulas
-    return Written(module.name, chart, target, folder, chart == geometry)
+    return Written(module.name, chart, target, folder, chart == geometry, chart in asked)
 
 
 def check(written: Written) -> Counts:
@@ -92,7 +100,8 @@ def check(written: Written) -> Counts:
     target, given = written.target, (written.folder, written.chart, written.geometry)
     with relaxed_gc():
         validated, replayed = target.validate(*given), target.replay(*given)
-        return Counts(validated, replayed, target.test(written.folder, written.chart))
+        tested = target.test(written.folder, written.chart) if written.tested else 0
+        return Counts(validated, replayed, tested)
 
 
 def announced(records: Iterable[Record], stage: str, report: Step) -> Iterator[Record]:

@@ -107,13 +107,13 @@ def reserved_names() -> frozenset[str]:
 
 
 def _reserved(target: Target) -> Iterator[str]:
-    for file, data in target.shared().items():
+    for file, make in target.shared().items():
         path = PurePath(file)
         yield from path.parts[:-1]
         if path.suffix == f".{target.extension}":
             yield path.stem
         if path.name == "__init__.py":
-            yield from _globals(symtable.symtable(generated(f"{target.name}/{file}", "", **data), file, "exec"))
+            yield from _globals(symtable.symtable(generated(f"{target.name}/{file}", "", **make()), file, "exec"))
 
 
 def _globals(table: symtable.SymbolTable) -> Iterator[str]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import hashlib
 import itertools
 import textwrap
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
@@ -224,14 +224,18 @@ class Target(Protocol):
     tables: Sequence[Table] = (POSES, ROTATIONS)  # each has a module for every chart
     imports_bases: bool = False  # True if the module of a multiple imports that of its base chart
 
-    def shared(self) -> Mapping[str, Data]:
-        """Return the data of the files in every package of the target; each file has the template of its own name."""
+    def shared(self) -> Mapping[str, Callable[[], Data]]:
+        """Return functions that make the data of the files in every package; a file has the template of its name."""
 
     def module(self, facts: Facts) -> Data:
         """Return the data for the module of a chart."""
 
     def companions(self, facts: Facts) -> Mapping[str, tuple[str, Data]]:
         """Return further files of a chart: by name, the template and its data."""
+
+    def tests(self, facts: Facts) -> Mapping[str, tuple[str, Data]]:
+        """Return files, as `companions` does, that `test` compiles and runs."""
+        return {}
 
     def require_complete(self, texts: Mapping[str, str]) -> None:
         """Raise ValueError unless the shared texts define the functions of the table."""
@@ -244,18 +248,18 @@ class Target(Protocol):
         return 0
 
     def test(self, folder: Path, chart: Chart) -> int | None:
-        """Compile and run the tests of the companions; return the number of agreeing calls, None without a compiler."""
+        """Compile and run the files of `tests`; return the number of agreeing calls, None without a compiler."""
         return 0
 
 
 def shared_texts(target: Target) -> dict[str, str]:
     """Return the files that every package of a target holds; raise ValueError if functions of the table are missing."""
     texts = {}
-    for name, data in target.shared().items():
+    for name, make in target.shared().items():
         file = f"{target.name}/{name}"
         version = [f"Version {about.__version__}."] if name == target.entry else []  # a release changes no other file
         lines = [*head(command(target.name), source(file)), *version]
-        texts[name] = generated(file, _header(lines, _mark(name, target)), **data)
+        texts[name] = generated(file, _header(lines, _mark(name, target)), **make())
     target.require_complete(texts)
     return texts
 
@@ -264,13 +268,14 @@ def module_name(chart: Chart, target: Target) -> str:
     return f"{chart.name}.{target.extension}"
 
 
-def module_texts(facts: Facts, target: Target) -> dict[str, str]:
-    """Render the module of a proved chart and its companions, by file name."""
+def module_texts(facts: Facts, target: Target, tested: bool = True) -> dict[str, str]:
+    """Render the module of a proved chart, its companions and, if ``tested``, its tests, by file name."""
     made_by = command(target.name, facts.chart)
     template = f"{target.name}/chart.{target.extension}.j2"
     header = _header(facts.header(made_by, template), target.comment)
     texts = {module_name(facts.chart, target): render(template, header=header, **target.module(facts))}
-    for name, (companion, data) in target.companions(facts).items():
+    further = {**target.companions(facts), **(target.tests(facts) if tested else {})}
+    for name, (companion, data) in further.items():
         file = f"{target.name}/{companion}"
         texts[name] = generated(file, _header(head(made_by, source(file)), target.comment), **data)
     return texts

@@ -14,6 +14,7 @@ import time
 from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import asdict, dataclass
+from functools import lru_cache
 from itertools import product
 from pathlib import Path
 
@@ -55,7 +56,14 @@ class Bound:
 
 def read(folder: Path, function: str, order: int) -> Transcript:
     """Return the transcript of a function of a C header with the scalar program that it calls."""
-    return CHeader(folder / f"cayley{order}.h").geometry(function)
+    texts = tuple(path.read_text(encoding="utf-8") for path in sorted(folder.rglob("*.h")))
+    return _header(folder / f"cayley{order}.h", texts).geometry(function)
+
+
+@lru_cache(maxsize=8)
+def _header(path: Path, texts: tuple[str, ...]) -> CHeader:
+    """Return a header, which takes a second to read; ``texts`` of its folder are a key of the cache."""
+    return CHeader(path)
 
 
 def measured(program: Transcript, order: int, count: int = SAMPLES) -> dict[int, float]:

@@ -7,6 +7,7 @@ symbols: ``transpose(R)``, ``rate(R)`` (derivative along a motion), ``prime(p)``
 
 from __future__ import annotations
 
+from functools import lru_cache
 from typing import Any, ClassVar
 
 import sympy
@@ -173,6 +174,7 @@ class _Typeset(LatexPrinter):  # type: ignore[misc]
         return rf"\frac{{{self._print(above)}}}{{{self._print(below)}}}"
 
 
+@lru_cache(maxsize=4096)  # theorems print the same equation for each premise
 def text(expression: sympy.Expr) -> str:
     """Return an expression as plain text."""
     return str(_Text({"order": "rev-lex"}).doprint(expression))

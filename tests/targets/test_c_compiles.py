@@ -44,7 +44,7 @@ FAMILIES = [("gcc", "g++"), *([("clang", "clang++")] if shutil.which("clang++") 
 """Pairs of a C and a C++ compiler, by vendor."""
 
 VECTOR = ("-O3", "-march=native", "-fno-math-errno", "-fno-trapping-math", "-DDUALCAY_SIMD_MATH")
-SANITIZED = ("-O0", "-fsanitize=address,undefined", "-fno-sanitize-recover=all")
+SANITIZED = ("-O0", "-fsanitize=address,undefined", "-fno-sanitize-recover=all", "-DDUALCAY_CORE=static inline")
 REALS = ("float", "double")
 
 
@@ -179,13 +179,12 @@ def test_device_qualifiers_stand_before_every_function(package, tmp_path):
     assert "GCC ivdep" not in text
 
 
-# each order in one real type; orders 3 and 8 with every compiler, as vector code with fused multiply-add
+# each order in one real type with one compiler; orders 3 and 8 as vector code with fused multiply-add
 @pytest.mark.parametrize(
     ("compiler", "order", "real", "flags"),
     [
-        (compiler, n, REALS[i % 2], (*VECTOR, "-ffp-contract=fast") if n in (3, 8) else SANITIZED)
+        (FAMILIES[-(n == 8)][0], n, REALS[i % 2], (*VECTOR, "-ffp-contract=fast") if n in (3, 8) else SANITIZED)
         for i, n in enumerate(ORDERS)
-        for compiler, _ in (FAMILIES if n in (3, 8) else FAMILIES[:1])
     ],
 )
 def test_results_agree_with_exact_ones(package, tmp_path, compiler, order, real, flags):
@@ -207,8 +206,7 @@ def test_sanitizer_sees_a_write_beyond_a_result(package, tmp_path):
     assert "AddressSanitizer" in subprocess.run([program], capture_output=True, text=True, check=False).stderr
 
 
-@pytest.mark.parametrize("compilers", FAMILIES, ids=lambda pair: pair[1])
-@pytest.mark.parametrize("real", REALS)
+@pytest.mark.parametrize(("compilers", "real"), [(FAMILIES[0], REALS[0]), (FAMILIES[-1], REALS[1])])
 def test_results_agree_with_exact_ones_in_cpp(package, tmp_path, real, compilers):
     program = tmp_path / "test"
     flags = ("-std=c++17", "-Wall", "-Wextra", "-Werror", "-pedantic", "-O2", f"-DDUALCAY_REAL={real}")
@@ -218,7 +216,7 @@ def test_results_agree_with_exact_ones_in_cpp(package, tmp_path, real, compilers
 
 @pytest.mark.parametrize(
     ("order", "table", "turns", "math"),
-    [(3, POSES, 3, ()), (8, POSES, 3, ()), (3, ROTATIONS, 2, ()), (3, POSES, 3, ("-DDUALCAY_SIMD_MATH",))],
+    [(8, POSES, 3, ()), (3, ROTATIONS, 2, ()), (3, POSES, 3, ("-DDUALCAY_SIMD_MATH",))],
 )
 def test_loops_over_rows_become_vector_code(package, tmp_path, order, table, turns, math):
     """Expect vector code for loops without tan and atan2, and with libmvec for all loops, also over turns."""

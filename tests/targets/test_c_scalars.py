@@ -34,7 +34,6 @@ from derive.maps import Cayley, family
 from derive.maps.chart import Chart
 from derive.output import files
 from tests.support import jets
-from tests.support.packages import Otherwise
 from tests.support.residues import Degree, Lifting, Residue, degree_of
 
 HERE = Path(__file__).parent
@@ -59,7 +58,7 @@ def headers(shared) -> Path:
     """Return the folder of the charts' headers, printed without validation."""
 
     def write(place: Path) -> None:
-        files.write(place, print_package((*CHARTS, *OTHERS), Otherwise(C, companions=C.further)).texts)
+        files.write(place, print_package((*CHARTS, *OTHERS), C, tested=False).texts)
 
     return shared("c_scalars", write)
 
@@ -136,7 +135,7 @@ def test_every_function_compiles_alone(chart, scalar, tmp_path, headers):
 @pytest.mark.thorough
 @pytest.mark.parametrize("compiler", COMPILERS)
 def test_every_function_of_every_chart_compiles_alone(compiler, tmp_path):
-    files.write(tmp_path / "all", print_package(committed(), Otherwise(C, companions=C.further)).texts)
+    files.write(tmp_path / "all", print_package(committed(), C, tested=False).texts)
     ways = itertools.cycle(itertools.product(("Jet<6>", "double", "float"), ("c++11", "c++17", "c++2b")))
     for chart, (scalar, standard) in zip(committed(), ways):
         assert compile_alone(tmp_path / "all", chart, tmp_path, compiler, standard, scalar) == "", chart.name
@@ -170,7 +169,7 @@ def test_derivatives_by_jets_are_the_jacobians(chart, headers, tmp_path):
 @pytest.mark.thorough
 @pytest.mark.parametrize("compiler", COMPILERS)
 def test_derivatives_by_jets_are_the_jacobians_in_every_chart(compiler, tmp_path):
-    files.write(tmp_path / "all", print_package(committed(), Otherwise(C, companions=C.further)).texts)
+    files.write(tmp_path / "all", print_package(committed(), C, tested=False).texts)
     for chart, standard in zip(committed(), itertools.cycle(("c++11", "c++17", "c++2b"))):
         assert by_jets(tmp_path / "all", chart, tmp_path, compiler, standard) == {}, chart.name
 

@@ -44,7 +44,7 @@ OF_ROTATIONS = sorted(
 @pytest.fixture(scope="module")
 def site(shared: Callable[[str, Callable[[Path], object]], Path]) -> Path:
     """Return the folder of the installed package, built once for all test processes."""
-    return shared("native", lambda place: build(place, CHARTS, PLAIN)) / "site"
+    return shared("native", lambda place: build(place, CHARTS, *PLAIN)) / "site"
 
 
 @pytest.fixture(scope="module")

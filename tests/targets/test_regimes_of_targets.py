@@ -71,7 +71,7 @@ def functions_of(
 
     @cache
     def with_native() -> str:
-        site = shared("regimes_native", lambda place: native.build(place, CHARTS.values(), native.PLAIN)) / "site"
+        site = shared("regimes_native", lambda place: native.build(place, CHARTS.values(), *native.PLAIN)) / "site"
         return stack.enter_context(native.found("with_native", site))
 
     def made(target: str, table: str, name: str, dtype: Any) -> Functions:

@@ -6,7 +6,6 @@ Equal operations are recorded once, constants are folded, and operations that no
 from __future__ import annotations
 
 import keyword
-from collections import Counter
 from collections.abc import Collection, Iterable, Sequence
 from dataclasses import replace
 
@@ -150,11 +149,14 @@ class Trace(Folding):
 
     def _uses(self, results: Sequence[Number]) -> dict[Value, int]:
         """Count the reads of each value, outputs included, in order; values that are not read are absent."""
-        uses = Counter(value for value in results if isinstance(value, Value))
+        uses = dict.fromkeys(self._values, 0)
+        for value in results:
+            if isinstance(value, Value):
+                uses[value] += 1
         for value in reversed(self._values):
-            if uses[value]:
-                uses.update(value.operands)
-        return {value: uses[value] for value in self._values if uses[value]}
+            for operand in value.operands if uses[value] else ():
+                uses[operand] += 1
+        return {value: count for value, count in uses.items() if count}
 
     def _name_all(self, uses: dict[Value, int], program: str) -> None:
         """Name values that are used more than once or passed to a scalar program; raise if one has no name."""

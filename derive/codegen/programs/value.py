@@ -186,7 +186,7 @@ class Folding(Arithmetic, ABC):
 
 
 def _constant(*numbers: Number) -> bool:
-    return not any(isinstance(number, Value) for number in numbers)
+    return Value not in map(type, numbers)
 
 
 def _tidy(value: Constant) -> Constant:

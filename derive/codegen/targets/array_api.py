@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import importlib
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from importlib.util import find_spec
 
 import numpy as np
@@ -21,6 +21,12 @@ STEP_SCALARS = ("pose_scalars", "tangent_scalars", "tangent_inv_scalars")
 STANDARD = (np.dtype(np.float64), np.dtype(np.float32))
 
 
+def step_scalars() -> Data:
+    """Return the exponential's scalars for the rules of differentiation."""
+    scalars = lower_chart(EXPONENTIAL).scalars
+    return printed_scalars(EXPONENTIAL, {name: scalars[name] for name in STEP_SCALARS})
+
+
 class ArrayApi(PythonTarget):
     """Target that imports no array library and accepts the arrays of any."""
 
@@ -29,11 +35,8 @@ class ArrayApi(PythonTarget):
     machinery = Machinery(out=False, silent=False)
     checks = (*PythonTarget.checks, runtime.steps, runtime.rules)
 
-    def shared(self) -> dict[str, Data]:
-        """Return the data of all shared files, with the exponential's scalars for the rules of differentiation."""
-        scalars = lower_chart(EXPONENTIAL).scalars
-        kept = {name: scalars[name] for name in STEP_SCALARS}
-        return super().shared() | {"_jax.py": printed_scalars(EXPONENTIAL, kept)}
+    def shared(self) -> dict[str, Callable[[], Data]]:
+        return super().shared() | {"_jax.py": step_scalars}
 
     def libraries(self) -> Sequence[Library]:
         """Return NumPy, and the strict reference of the standard if installed, with the standard's types."""

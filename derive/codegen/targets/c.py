@@ -11,6 +11,7 @@ from __future__ import annotations
 import itertools
 import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from functools import partial
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -148,30 +149,30 @@ class C(Target):
     entry = "dualcay.h"
     comment = "//"
 
-    def shared(self) -> Mapping[str, Data]:
+    def shared(self) -> Mapping[str, Callable[[], Data]]:
         return {
-            "dualcay.h": {},
-            **{inside(table, GEOMETRY): shared_geometry(table) for table in self.tables},
-            "differential.h": {},
-            "CMakeLists.txt": {"folders": [table.name or "." for table in self.tables]},
+            "dualcay.h": dict,
+            **{inside(table, GEOMETRY): partial(shared_geometry, table) for table in self.tables},
+            "differential.h": dict,
+            "CMakeLists.txt": partial(dict, folders=[table.name or "." for table in self.tables]),
         }
 
     def module(self, facts: Facts) -> Data:
         found = {name: getattr(facts, name) for name in ("domain", "singular_angles", "turns")}
         return {**own_geometry(facts, facts.lowered.poses, {}), **found, "order": facts.chart.order}
 
-    def further(self, facts: Facts) -> dict[str, tuple[str, Data]]:
+    def companions(self, facts: Facts) -> dict[str, tuple[str, Data]]:
         """Return the header of the chart for rotations."""
         data = own_geometry(facts, facts.lowered.rotations, scalars(facts.lowered.poses))
         return {inside(ROTATIONS, f"{facts.chart.name}.h"): (inside(ROTATIONS, "chart.h"), data)}
 
-    def companions(self, facts: Facts) -> Mapping[str, tuple[str, Data]]:
-        """Return the header of the chart for rotations, and one test of all headers."""
+    def tests(self, facts: Facts) -> dict[str, tuple[str, Data]]:
+        """Return one test of all headers of the chart."""
         chart = facts.chart
         tested = [(c_text.prefix(chart, table), [*differential_tables(chart, table)]) for table in self.tables]
         headers = [inside(table, f"{chart.name}.h") for table in self.tables]
         test = {"name": chart.name, "gate": GATE, "headers": headers, "tested": tested}
-        return {**self.further(facts), f"test_{chart.name}.c": ("test_chart.c", test)}
+        return {f"test_{chart.name}.c": ("test_chart.c", test)}
 
     def require_complete(self, texts: Mapping[str, str]) -> None:
         """Require calls and, in the geometry of its table, both forms of every public function, and no other."""

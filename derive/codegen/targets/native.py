@@ -9,14 +9,15 @@ from __future__ import annotations
 
 import itertools
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
+from functools import partial
 
 from ... import about
 from ..lowered import geometry
 from ..package import Data, Facts, fingerprint
 from ..programs.program import Program
-from ..rows import Function, inside
+from ..rows import Function, Table, inside
 from ..validation import c_text
 from . import c99
 from .c import C
@@ -82,29 +83,36 @@ class Native(C):
     name = "native"
     entry = "meson.build"
 
-    def shared(self) -> Mapping[str, Data]:
-        headers = {name: data for name, data in super().shared().items() if name.endswith(".h")}
-        loops = {table: [loop(table.kernels[name], p) for name, p in geometry(table).items()] for table in self.tables}
-        inner = {inside(t, "loops.h"): {"loops": found, "up": "../" * bool(t.name)} for t, found in loops.items()}
-        every = [each["operands"] for found in loops.values() for each in found]
-        most = max(array.size for operands in every for array in operands)
+    def shared(self) -> Mapping[str, Callable[[], Data]]:
+        headers = {name: make for name, make in super().shared().items() if name.endswith(".h")}
         further = [table.name for table in self.tables if table.name]
         return {
             **headers,
-            "tiles.h": {"most": most, "operands": max(map(len, every)), "axes": MOST_AXES},
-            "direct.h": {},
-            **inner,
-            "gufuncs.h": {"package": PACKAGE},
-            **{inside(table, "__init__.py"): {} for table in self.tables},
-            **{f"{name}/meson.build": {"place": f"{PACKAGE}/{name}"} for name in further},
-            "meson.build": {"version": about.__version__, "place": PACKAGE, "folders": further},
-            "meson.options": {},
-            "pyproject.toml": {},
+            "tiles.h": self.tiles,
+            "direct.h": dict,
+            **{inside(t, "loops.h"): partial(self.loops, t) for t in self.tables},
+            "gufuncs.h": partial(dict, package=PACKAGE),
+            **{inside(table, "__init__.py"): dict for table in self.tables},
+            **{f"{name}/meson.build": partial(dict, place=f"{PACKAGE}/{name}") for name in further},
+            "meson.build": partial(dict, version=about.__version__, place=PACKAGE, folders=further),
+            "meson.options": dict,
+            "pyproject.toml": dict,
         }
 
-    def further(self, facts: Facts) -> dict[str, tuple[str, Data]]:
+    def loops(self, table: Table) -> Data:
+        """Return the data of the loops around a table's kernels."""
+        found = [loop(table.kernels[name], program) for name, program in geometry(table).items()]
+        return {"loops": found, "up": "../" * bool(table.name)}
+
+    def tiles(self) -> Data:
+        """Return the largest numbers of components, arrays and axes of any loop."""
+        every = [each["operands"] for table in self.tables for each in self.loops(table)["loops"]]
+        most = max(array.size for operands in every for array in operands)
+        return {"most": most, "operands": max(map(len, every)), "axes": MOST_AXES}
+
+    def companions(self, facts: Facts) -> dict[str, tuple[str, Data]]:
         """Return the headers of the chart for further tables, and the extension modules for all tables."""
-        found = super().further(facts)
+        found = super().companions(facts)
         for programs in (facts.lowered.poses, facts.lowered.rotations):
             data = {
                 "name": facts.chart.name,

@@ -9,8 +9,9 @@ from __future__ import annotations
 
 import re
 import textwrap
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 
 from ...maps.chart import Chart
@@ -101,9 +102,11 @@ class Numba(PythonTarget):
     files = (*PythonTarget.files, "_compiled.py")
     checks = (runtime.tools,)
 
-    def shared(self) -> dict[str, Data]:
+    def shared(self) -> dict[str, Callable[[], Data]]:
         rows = [row for table in self.tables for _, row in sorted(table.public.items()) if row.constants]
-        return super().shared() | {"_inside.py": {"shared": {row.name: (row.kernel, row.constants) for row in rows}}}
+        return super().shared() | {
+            "_inside.py": partial(dict, shared={row.name: (row.kernel, row.constants) for row in rows})
+        }
 
     def geometry(self, table: Table) -> Data:
         same = shared_with_poses(table)

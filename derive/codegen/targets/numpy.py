@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from functools import partial
+
 from ..lowered import geometry, lower_chart
 from ..lowering.dual_quaternions import LOCAL, PROGRAMS
 from ..lowering.point import traced
@@ -31,12 +34,12 @@ class Numpy(PythonTarget):
     checks = (*PythonTarget.checks, *motions.CHECKS)
     machinery = Machinery(few="_runtime.POINTWISE_MAX", block="_kernel.BLOCK")
 
-    def shared(self) -> dict[str, Data]:
+    def shared(self) -> dict[str, Callable[[], Data]]:
         tables = {
             CLASSES[table]: {name: signature(row) for name, row in sorted(table.public.items())}
             for table in self.tables
         }
-        return {**super().shared(), "dask.py": {"tables": tables}, "_derived.py": derived()}
+        return {**super().shared(), "dask.py": partial(dict, tables=tables), "_derived.py": derived}
 
     def programs(self, facts: Facts) -> Data:
         """Return the scalar programs; for a multiple, its base, factor, and base programs with constant results."""

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import ast
 from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -67,14 +68,14 @@ class PythonTarget(Target):
         found = ("singular_angles", "switch")
         return (*found, "identity", "random") if "out" in self.keywords else found
 
-    def shared(self) -> dict[str, Data]:
-        found: dict[str, Data] = {name: {} for name in (*self.files, "__main__.py", "py.typed")}
+    def shared(self) -> dict[str, Callable[[], Data]]:
+        found: dict[str, Callable[[], Data]] = dict.fromkeys((*self.files, "__main__.py", "py.typed"), dict)
         for table in self.tables:
             functions = sorted((*table.public, *self.plain))
-            found[inside(table, self.entry)] = self.init(table)
-            found[inside(table, "_geometry.py")] = self.geometry(table)
-            found[inside(table, INTERFACE)] = self.interface(table)
-            found[inside(table, "_functions.pyi")] = {"class": CLASSES[table], "functions": functions}
+            found[inside(table, self.entry)] = partial(self.init, table)
+            found[inside(table, "_geometry.py")] = partial(self.geometry, table)
+            found[inside(table, INTERFACE)] = partial(self.interface, table)
+            found[inside(table, "_functions.pyi")] = partial(dict, {"class": CLASSES[table], "functions": functions})
         return found
 
     def init(self, table: Table) -> Data:

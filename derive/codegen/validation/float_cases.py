@@ -34,7 +34,7 @@ STEP = mpmath.mpf(2) ** -80
 COMPONENT_MAX = 3  # largest component of v, divided by φ′(0)
 GRID = 2**18  # grid steps of arguments per unit: few enough for float32 to hold arguments exactly
 SMALL = 2.0**-8  # size of the small quaternion components: their rows of 4 q qᵀ lose 16 bits
-ORDINARY = 4  # number of screws for derivatives: the first ones from `covering`, which are far from every selection
+ORDINARY = 2  # number of screws for derivatives: the first ones from `covering`, which are far from every selection
 SHORTER = 2  # divisor of steps whose Jacobians are tested: near the edge, Jacobians amplify the rounding of α
 EDGE_MARGIN = 0.1  # least margin to the edge (`Vectors.finite`): its inverse amplifies the rounding of v
 

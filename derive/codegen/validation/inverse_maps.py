@@ -138,9 +138,15 @@ def _principal(chart: Vectors, branch: int, v: Flat) -> Flat:
 
 def _switch(chart: Vectors, branch: int, v: Flat, v_dot: Flat, covariance: Flat) -> Flat:
     """Return the principal vector, J v̇ and J P Jᵀ, with the derivative J of the principal vector."""
-    matrices = (_jacobians(_principal, chart, 0, v), covariance)
-    J, P = (mpmath.matrix([entries[i : i + 6] for i in range(0, 36, 6)]) for entries in matrices)
-    return (*_principal(chart, 0, v), *(J * mpmath.matrix(v_dot)), *(J * P * J.T))
+    there, by_v = _at_principal(mpmath.mp.prec, chart, *v)
+    J, P = (mpmath.matrix([entries[i : i + 6] for i in range(0, 36, 6)]) for entries in (by_v, covariance))
+    return (*there, *(J * mpmath.matrix(v_dot)), *(J * P * J.T))
+
+
+@lru_cache(maxsize=16)  # most difference quotients leave v unchanged
+def _at_principal(precision: int, chart: Vectors, *v: Any) -> tuple[Flat, Flat]:
+    """Return the principal vector and its derivative; ``precision`` is the working precision, a key of the cache."""
+    return _principal(chart, 0, v), _jacobians(_principal, chart, 0, v)
 
 
 DIFFERENTIABLE: Mapping[str, Callable[..., Flat]] = {

@@ -6,14 +6,13 @@ import importlib.util
 import itertools
 import os
 import sys
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, MutableMapping, Sequence
 from contextlib import contextmanager
 from functools import lru_cache
 from importlib.machinery import ModuleSpec, PathFinder, SourceFileLoader
 from pathlib import Path
 from types import CodeType, ModuleType
 from typing import Any
-from unittest import mock
 
 from ...maps.chart import Chart
 from ..rows import Table
@@ -26,6 +25,18 @@ _serial = itertools.count()
 
 
 @contextmanager
+def replaced(place: MutableMapping[str, Any], name: str, value: Any) -> Iterator[None]:
+    """Replace an entry, and restore it afterwards; ``unittest.mock`` would load a library of networks."""
+    before = {name: place[name]} if name in place else {}
+    place[name] = value
+    try:
+        yield
+    finally:
+        del place[name]
+        place.update(before)
+
+
+@contextmanager
 def loaded(folder: Path) -> Iterator[str]:
     """Import a folder as a package under a unique name, and remove its modules afterwards."""
     if not (folder / "__init__.py").is_file():
@@ -34,7 +45,7 @@ def loaded(folder: Path) -> Iterator[str]:
     finder = _Finder(name, folder)
     sys.meta_path.insert(0, finder)
     try:
-        with mock.patch.dict(os.environ, {NATIVE: "0"}):
+        with replaced(os.environ, NATIVE, "0"):
             importlib.import_module(name)
             yield name
     finally:

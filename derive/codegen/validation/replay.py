@@ -9,14 +9,13 @@ from __future__ import annotations
 import itertools
 import warnings
 from collections.abc import Callable, Sequence
-from contextlib import nullcontext
+from contextlib import AbstractContextManager, nullcontext
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
 from pkgutil import resolve_name
 from types import ModuleType
 from typing import Any, TypeAlias
-from unittest import mock
 
 import mpmath
 import numpy as np
@@ -29,7 +28,7 @@ from .batches import ValidationFailed
 from .calls import grouped
 from .decimals import EXACT_DIGITS
 from .float_cases import FloatCase, cases
-from .loading import loaded, module_of
+from .loading import loaded, module_of, replaced
 from .run import own_functions
 
 Array: TypeAlias = NDArray[Any]
@@ -85,7 +84,7 @@ def replay(
         return 0
     with (
         loaded(source) if isinstance(source, Path) else nullcontext(source) as package,
-        mock.patch(f"{package}.{machinery.block}", BLOCK) if machinery.block else nullcontext(),
+        _block(f"{package}.{machinery.block}") if machinery.block else nullcontext(),
         warnings.catch_warnings(),
         np.errstate(all="warn"),
     ):
@@ -98,6 +97,12 @@ def replay(
             caller.replay(_groups(chart, table, geometry), chart, geometry and library is libraries[0])
             count += caller.count
         return count
+
+
+def _block(constant: str) -> AbstractContextManager[None]:
+    """Set the constant of a package to the block size of a replay, for a while."""
+    module, _, name = constant.rpartition(".")
+    return replaced(vars(resolve_name(module)), name, BLOCK)
 
 
 @dataclass(frozen=True)

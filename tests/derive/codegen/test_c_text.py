@@ -56,7 +56,7 @@ EQUIVALENT = {
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     found = tmp_path_factory.mktemp("c")
-    files.write(found, print_package([CHART], C).texts)
+    files.write(found, print_package([CHART], C, tested=False).texts)
     return found
 
 
@@ -72,7 +72,7 @@ def survives(text: str, kernels: list[str], table=POSES) -> bool:
 
 def test_printed_headers_pass_and_every_function_is_called(folder: Path) -> None:
     whole, own = (c_text.validate(folder, CHART, geometry, C.tables) for geometry in (True, False))
-    assert whole > 2000 > 2 * own > 500
+    assert whole > 1500 > 2 * own > 500
 
 
 # --- wrong text ---------------------------------------------------------------------------------------------------
@@ -114,6 +114,7 @@ ERRORS = [
     (r"3\.14159265358979323846", "3.14159265358979323847", "singular_angles, component 0"),
     (r"const dualcay_real h = 16 \* r;", "const dualcay_real h = 33 / 2 * s;", r"cayley3\.h:\d+: an integer div"),
     (r"const dualcay_real h = 16 \* r;", "const float h = 16 * r;", "the interpreter of C reads no type float"),
+    (r"(v_dot_at\[v_dot_by\] = \()w2", r"\1omega_at[omega_by]", "an argument is read after a result is written"),
     (r"(?=\n#endif\n*\Z)", "\nDUALCAY_CORE int dualcay_cayley3_new(void) { return 1; }\n", "nothing calls .*_new"),
     (r"void DUALCAY_NAME\(pose\)\(", "void DUALCAY_NAME(posed)(", "there is no function dualcay_cayley3_pose"),
     (r'#include "dualcay.h"', '#include "dualkay.h"', r"dualkay\.h is neither in the folder"),

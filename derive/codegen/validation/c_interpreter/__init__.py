@@ -11,11 +11,13 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from .memory import UNSET, CError, Pointer
-from .source import LIBRARY, Source, parse
-from .translate import Translator
+
+if TYPE_CHECKING:
+    from .source import Source
+    from .translate import Translator
 
 __all__ = ["UNSET", "CError", "Pointer", "Unit", "load"]
 
@@ -69,6 +71,9 @@ def load(
     >>> load("double half(double a) { return a / 2; }").call("half", Fraction(3))
     Fraction(3, 2)
     """
+    from .source import LIBRARY, parse  # the parser of C is loaded for C only
+    from .translate import Translator
+
     source, translator, called = parse(text, folder, defines or {}), Translator(), set[str]()
     for node in source.tree.ext:
         translator.external(node)
