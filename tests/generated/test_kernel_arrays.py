@@ -11,7 +11,7 @@ import pytest
 
 import dualcay
 from dualcay import _kernel, _runtime
-from tests.support.kernels import ALIKE, load, orders
+from tests.support.kernels import ALIKE, orders
 from tests.support.signatures import SHAPES, SIGNATURES, assert_nearly_equal, components_last, inputs, rows_of
 
 FUNCTION = pytest.mark.parametrize("name", SIGNATURES)
@@ -65,16 +65,6 @@ def test_recorded_program_agrees_with_single_poses_and_any_block_size(
                 patch.setattr(_kernel, "BLOCK", size)
                 assert_nearly_equal(getattr(kernel, name)(*arguments), whole)
                 assert_nearly_equal(by_rows(kernel, name, arguments), whole)
-
-
-@FUNCTION
-def test_large_batches_cross_block_borders(name: str) -> None:
-    kernel, count = load(3), 40_000
-    arguments = [np.resize(a, (count, *a.shape[1:])) for a in inputs(kernel, name, 3, (97,))]
-    result = getattr(kernel, name)(*arguments)
-    few = getattr(kernel, name)(*(a[:97] for a in arguments))
-    assert_nearly_equal(result, np.resize(few, result.shape))
-    assert_nearly_equal(by_rows(kernel, name, arguments), result)
 
 
 @pytest.mark.parametrize("batch", [(), (1,), (7,), (0,), (3, 0), (5, 7), (4, 3, 2), (2, 100), (100, 2), (3, 17, 5)])

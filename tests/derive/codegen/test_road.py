@@ -158,10 +158,6 @@ def test_function_needs_a_row_a_recipe_and_a_docstring(tmp_path: Path, monkeypat
                 derive.generate([3], output=tmp_path / "k")
     with pytest.raises(ValueError, match="stance has no recipe"):
         dataclasses.replace(row, recipe=None).traced()
-    with monkeypatch.context() as patch:
-        patch.delitem(MAPS, "compose")
-        with pytest.raises(ValueError, match="without an expected value cannot be generated: compose"):
-            derive.generate([3], "c", tmp_path / "k")
     monkeypatch.setitem(signatures.FUNCTIONS, "twist", dataclasses.replace(PUBLIC["twist"], branch=True))
     with pytest.raises(ValueError, match="twist takes v, v_dot, and v, v_dot, branch in the table"):
         derive.generate([3], output=tmp_path / "k")

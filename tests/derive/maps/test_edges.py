@@ -205,16 +205,6 @@ def test_a_fit_that_newton_cannot_use_is_not_proved() -> None:
         assert all(first_guess._proved(at, chart._edge, fit, mpmath.mpf(1)) is None for fit in fits)
 
 
-def test_halvings_and_steps_converge_at_every_angle() -> None:
-    """Allow 4 eps of the length, also next to the least slope."""
-    chart = parameterization("alpha + 9*sin(alpha)/10", "of_user")
-    assert isinstance(chart.far, Halved)
-    for angle in (2.0, 3.1, 3.2, 6.0, 9.5, 12.5):
-        size = float(chart.phi.subs(alpha, angle))
-        found = chart.far_angle(size * size, size, PLAIN)
-        assert found == pytest.approx(angle, rel=8e-16 / float(chart.phi.diff(alpha).subs(alpha, angle)))
-
-
 def test_known_angle_near_a_fold_keeps_all_digits() -> None:
     """Allow 4 eps for h_i from a known angle, 1e-6 before the fold; from x alone, its error exceeds 1e-9."""
     chart = parameterization("alpha/(1 + alpha**2/40)", "of_user")
