@@ -33,6 +33,9 @@ SINGLE = np.dtype(np.float32)
 COMPILED = (SINGLE, FLOAT, np.dtype(np.longdouble))
 """Dtypes that compiled forms take."""
 
+FACTORS = {"1": 1, "-1": -1, "0.5": 0.5, "-0.5": -0.5}
+"""Factors of a frame; a recorded program knows them, and multiplies by 0.5 only."""
+
 RAISED = (ZeroDivisionError, OverflowError, ValueError)
 """Errors of Python arithmetic at singular points, where IEEE arithmetic returns inf or NaN."""
 
@@ -230,12 +233,13 @@ def _record_and_run(
 ) -> None:
     """Run the recorded program of a kernel; a single pose is a batch of one."""
     kernel = chart.kernels[name]
-    extra = [np.array(value, dtype) for value in constants(table, dtype)]
+    known = tuple(FACTORS[text] for text in table) if FACTORS.keys() >= set(table) else ()
+    extra = [] if known else [np.array(value, dtype) for value in constants(table, dtype)]
     if result.ndim == len(kernel.shape):
         one = (..., np.newaxis) if axis == 0 else (np.newaxis, ...)
         arrays, result = [array[one] for array in arrays], result[one]
     with np.errstate(all="ignore"):
-        run(kernel, chart.recorded(name, dtype, len(table)), arrays, extra, result, axis)
+        run(kernel, chart.recorded(name, dtype, len(extra), known), arrays, extra, result, axis)
 
 
 def _supported(name: str, array: Array, real: bool) -> Array:
