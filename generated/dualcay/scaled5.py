@@ -33,7 +33,7 @@ from .cayley5 import CHART as BASE
 
 ORDER = 5
 
-CHART = multiple(BASE, __name__, 10, 1, constant=('inside',), programs="4ef6b4450a9cc802")
+CHART = multiple(BASE, __name__, 10, 1, constant=('inside',), programs="2190d5a62b4bc492")
 
 KERNELS = PoseKernels(CHART)
 # the functions of this module are the methods of KERNELS
