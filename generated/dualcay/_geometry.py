@@ -1144,8 +1144,7 @@ def exponential_scalars(m: Any, delta: Components) -> Result:
     v11 = d1 * d1
     v22 = d2 * d2
     v33 = d3 * d3
-    part = v11 + v22
-    x = part + v33
+    x = v11 + v22 + v33
     nearby = x < 6
     z = m.where(nearby, x, x - x) / 4
     C7 = (
@@ -1164,21 +1163,9 @@ def exponential_scalars(m: Any, delta: Components) -> Result:
     below = 1 + tt
     s = m.where(nearby, C0, (1 - tt) / below)
     w = m.where(nearby, C1 / 2, 2 * t / below / alpha)
-    thalf = m.tan(alpha / 2)
-    tthalf = thalf * thalf
-    belowhalf = 1 + tthalf
-    sine = 2 * thalf / belowhalf
-    versine = m.where(tthalf < 16, 2 * tthalf / belowhalf, 2 - 2 / belowhalf)
-    beside = alpha - 4
-    v33_in = x - part
-    v22_in = part - v11
-    left = (
-        xx - 16 - 8 * beside - beside * beside + (v11 - (part - v22_in) + (v22 - v22_in) + (part - (x - v33_in) + (v33
-        - v33_in)))
-    )
-    lost = m.where(alpha < 8, left, 0) / (2 * alpha)
-    f = m.where(nearby, C0 * C1, (sine + lost * (1 - versine)) / alpha)
-    g = m.where(nearby, CC1 / 2, (versine + lost * sine) / xx)
+    f = 2 * (s * w)
+    ww = w * w
+    g = 2 * ww
     C01 = 1 + C0
     C2 = CC1 / C01
     h = m.where(nearby, (C3 + C1 * C2) / 4, (1 - f) / xx)

@@ -358,7 +358,7 @@ CHART = Chart(
         _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _followed,
     ),
     kernels=SHARED,
-    programs="ec5004bb1fcbe440",
+    programs="9e0e192474a036a9",
 )
 
 KERNELS = PoseKernels(CHART)

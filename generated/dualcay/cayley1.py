@@ -194,7 +194,7 @@ CHART = Chart(
         _unfolded, _reached, _coefficient, _followed,
     ),
     kernels=SHARED,
-    programs="0f5a11f58fe2c315",
+    programs="c2f77fbe2315e68a",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -268,7 +268,7 @@ CHART = Chart(
         _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _followed,
     ),
     kernels=SHARED,
-    programs="38e11302ed57ae9d",
+    programs="c82b556ea91a72b9",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -324,7 +324,7 @@ CHART = Chart(
         _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _followed,
     ),
     kernels=SHARED,
-    programs="3009bbc999738988",
+    programs="cb6b849414e0de05",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -345,7 +345,7 @@ CHART = Chart(
         _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _followed,
     ),
     kernels=SHARED,
-    programs="97d489c6c68b2d2d",
+    programs="5c458f86db0cf704",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -347,7 +347,7 @@ CHART = Chart(
         _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _followed,
     ),
     kernels=SHARED,
-    programs="8ae1e628d19b5b40",
+    programs="0ad251ad67ad158d",
 )
 
 KERNELS = PoseKernels(CHART)

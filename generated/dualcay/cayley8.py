@@ -370,7 +370,7 @@ CHART = Chart(
         _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _followed,
     ),
     kernels=SHARED,
-    programs="1d2c1a2df77d2856",
+    programs="1e3402a6ea2937dc",
 )
 
 KERNELS = PoseKernels(CHART)

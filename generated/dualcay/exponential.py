@@ -372,7 +372,7 @@ CHART = Chart(
         _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _followed,
     ),
     kernels=SHARED,
-    programs="07dde3a350d165e8",
+    programs="f36d2186fadd3e77",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -322,7 +322,7 @@ CHART = Chart(
         _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _followed,
     ),
     kernels=SHARED,
-    programs="e1c54a68771efb91",
+    programs="15ea94d7457a51dd",
     ends=True,
 )
 

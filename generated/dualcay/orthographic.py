@@ -241,7 +241,7 @@ CHART = Chart(
         _unfolded, _reached, _coefficient, _followed,
     ),
     kernels=SHARED,
-    programs="1ec048780ab291f1",
+    programs="98dbdb814021f786",
     ends=True,
 )
 

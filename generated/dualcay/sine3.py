@@ -352,7 +352,7 @@ CHART = Chart(
         _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _followed,
     ),
     kernels=SHARED,
-    programs="5f6848d8cd98b9fd",
+    programs="48b8285d316b1865",
     ends=True,
 )
 

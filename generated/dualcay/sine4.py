@@ -360,7 +360,7 @@ CHART = Chart(
         _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _followed,
     ),
     kernels=SHARED,
-    programs="6cfd49c4fe536051",
+    programs="da863173893fc6c3",
     ends=True,
 )
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from ...algebra import Quaternion, Vector
-from ...maps.exponential import Exponential, PrincipalScalars
+from ...maps.exponential import Exponential, PrincipalScalars, StepScalars
 from ..programs.value import Number
 from .calculus import matrix6
 from .forward import tensor_at, translation
@@ -35,7 +35,7 @@ def retracted(
 def exponential_scalars(trace: Geometry) -> Results:
     """Scalars of exp(δ) at x = δ·δ: q̂ = s + w δ, f = 2 s w, g = 2 w², h, and slopes fy, gy, hy."""
     first, second, third = Point(trace, (*trace.real_vector("delta", "d"), 0, 0, 0)).squares
-    at = EXPONENTIAL.scalars(trace.name("x", first + second + third), trace)
+    at = StepScalars(trace.name("x", first + second + third), trace)
     return {name: getattr(at, name) for name in SCALARS}
 
 

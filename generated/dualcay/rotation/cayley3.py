@@ -22,7 +22,7 @@ from ._interface import RotationKernels
 
 ORDER = 3
 
-CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="20a3b305af8627cc")
+CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="e7a5121298e57c4f")
 
 KERNELS = RotationKernels(CHART)
 dcay = KERNELS.tangent

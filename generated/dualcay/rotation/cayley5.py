@@ -22,7 +22,7 @@ from ._interface import RotationKernels
 
 ORDER = 5
 
-CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="2a73b7081ee80840")
+CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="f44168ef93180bb9")
 
 KERNELS = RotationKernels(CHART)
 dcay = KERNELS.tangent

@@ -22,7 +22,7 @@ from ._interface import RotationKernels
 
 ORDER = 3
 
-CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="821a0a4910abda90")
+CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="87e90292167871fd")
 
 KERNELS = RotationKernels(CHART)
 # the functions of this module are the methods of KERNELS
