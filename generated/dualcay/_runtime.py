@@ -162,11 +162,12 @@ def _on_python_floats(kernel: Kernel, dtype: np.dtype[Any]) -> bool:
 
 
 def _alone(kernel: Kernel, chart: Chart, arrays: Sequence[Array], table: tuple[str, ...]) -> Array | None:
-    """Return the result for one pose of floats, or None if Python raises one of ``RAISED``."""
+    """Return the result for one pose of floats; None if it is not finite or Python raises one of ``RAISED``."""
     try:
         extra = (constants(table, FLOAT),) if table else ()
         found = kernel.plain(Floats, chart.plain, *[(a if a.ndim == 1 else a.ravel()).tolist() for a in arrays], *extra)
-        return _rounded(found, arrays[0].dtype).reshape(kernel.shape)
+        # elsewhere the recorded program decides: without products with 0, it is finite in more places
+        return _rounded(found, arrays[0].dtype).reshape(kernel.shape) if math.isfinite(sum(found)) else None
     except RAISED:
         return None
 
@@ -193,6 +194,8 @@ def _one_by_one(
             raise
         return None
     size = math.prod(kernel.shape)
+    if not dtype.hasobject and not math.isfinite(sum(chain.from_iterable(results))):
+        return None
     packed = _packed(results, size) if dtype.hasobject else _rounded(list(chain.from_iterable(results)), dtype)
     last = packed.reshape(batch + kernel.shape)
     return last if axis == -1 else np.ascontiguousarray(np.moveaxis(last, range(len(batch)), range(-len(batch), 0)))

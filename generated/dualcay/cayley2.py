@@ -236,7 +236,7 @@ def _coefficient(m: Any, alpha: Any) -> Result:
     return r, slope, alpha
 
 
-# factor of vec e on the branch nearest v, after a step, and the number by which alpha is known
+# factor of vec e on the branch nearest v, and the number by which alpha is known
 def _followed(m: Any, x: Any, along: Any, e0: Any, e1: Any, e2: Any, e3: Any, size: Any, turn: Any) -> Result:
     side = m.where(1 + turn / 16 < 1, -1, 1)
     cosine = side * e0

@@ -301,7 +301,7 @@ def _coefficient(m: Any, alpha: Any) -> Result:
     return sin, slope, known
 
 
-# factor of vec e on the branch nearest v, after a step, and the number by which alpha is known
+# factor of vec e on the branch nearest v, and the number by which alpha is known
 def _followed(m: Any, x: Any, along: Any, e0: Any, e1: Any, e2: Any, e3: Any, size: Any, turn: Any) -> Result:
     ss = e1 * e1 + e2 * e2 + e3 * e3
     still = ss == 0

@@ -50,7 +50,7 @@ FORMULAS: Mapping[str, tuple[str, str, tuple[str, ...]]] = {
     "turned": ("coefficient rk of the vector rk u on another branch of r u, drk/dr and d²rk/dr²", "", ()),
     "beyond": ("truth of x > limit, beyond the principal branch, x or the limit, and the turn back", "", ()),
     "coefficient": ("`r = phi(alpha)`, phi', and the number by which alpha is known", "", ()),
-    "followed": ("factor of vec e on the branch nearest v, after a step, and the number by which alpha is known", "", ()),
+    "followed": ("factor of vec e on the branch nearest v, and the number by which alpha is known", "", ()),
 }
 """Formulas by scalar program: for every chart, for order n, and the maps whose equations are cited.
 
@@ -102,7 +102,8 @@ def _coefficient(chart: Chart, trace: Trace, angle: Number) -> tuple[Number, ...
 
 
 def _followed(chart: Chart, trace: Trace, x: Number, along: Number, *e: Number) -> tuple[Number, ...]:
-    return chart.followed(x, along, Quaternion.from_components(e[:4]), *e[4:], trace)
+    size, turn = e[4:]
+    return chart.followed(x, along, Quaternion.from_components(e[:4]), size, turn, trace)
 
 
 def _reached(chart: Chart, trace: Trace, angle: Number) -> tuple[Number]:
