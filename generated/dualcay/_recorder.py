@@ -49,6 +49,8 @@ class Number:
         return self if _is(other, 1) else self.tape.enter(np.multiply, self, other)
 
     def __truediv__(self, other: Any) -> Number:
+        if _is(other, 1):
+            return self
         if self.tape.integer and type(other) is int and other & -other == other > 0:
             return self.tape.enter(np.multiply, self, 1 / other)  # the same number, in less time
         return self.tape.enter(np.divide, self, other)
@@ -82,7 +84,7 @@ class Number:
 
 
 def _is(operand: Any, integer: int) -> bool:
-    """Tell whether an operand is an integer constant: sums with 0, and products with 0 and 1, need no operation."""
+    """Tell whether an operand is an integer constant: a + 0, 0 a, 1 a and a/1 need no operation."""
     return type(operand) is int and operand == integer
 
 
