@@ -42,6 +42,7 @@ MADE: dict[str, Callable[[ModuleType, Array], Array]] = {
     "T": lambda module, v: module.pose(v),
     "r": lambda _, v: v[..., :3],
     "t": lambda _, v: v[..., 0],
+    "covariance": lambda _, v: v[..., :, None] * v[..., None, :],
     "angle": lambda module, v: module.to_screw(v)[0] if hasattr(module, "to_screw") else module.to_angle_axis(v)[0],
     "line": lambda module, v: module.to_screw(v)[1],
     "u": lambda module, v: module.to_angle_axis(v)[1],

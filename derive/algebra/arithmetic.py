@@ -57,3 +57,17 @@ class Arithmetic:
 
 
 PLAIN = Arithmetic()
+
+
+class Marked:
+    """Arithmetic whose names end in a mark, for a formula inside another one."""
+
+    def __init__(self, arithmetic: Arithmetic, mark: str) -> None:
+        self._arithmetic = arithmetic
+        self._mark = mark
+
+    def name(self, name: str, value: Coefficient, /) -> Coefficient:
+        return self._arithmetic.name(name + self._mark, value)
+
+    def __getattr__(self, operation: str) -> Any:
+        return getattr(self._arithmetic, operation)

@@ -23,7 +23,7 @@ from .cayley_scalars import CHAIN_POWER, HORNER_LIMIT, CayleyScalars
 from .chart_formulas import Map
 from .families import alpha
 from .formula import IsotropicMap, QuaternionMap
-from .order_charts import BranchesOfOrder, Derivatives, cayley_gain, near_pole
+from .order_charts import BranchesOfOrder, Derivatives, beside, cayley_gain, near_pole
 from .polynomials import FIELD, Pair, Triple, rational, require_order, x
 from .scalars import NOISE
 
@@ -199,6 +199,16 @@ class Cayley(BranchesOfOrder):
 
     def gain(self, q: Quaternion, size: Coefficient, m: Arithmetic) -> Coefficient:
         return m.name("gain", cayley_gain(self.order, q, size, m))
+
+    def followed(
+        self, x: Coefficient, along: Coefficient, e: Quaternion, size: Coefficient, turn: Coefficient, m: Arithmetic
+    ) -> Pair:
+        if self.order == 1:
+            return m.div(1, e.scalar), 0
+        if self.order > 2:
+            return super().followed(x, along, e, size, turn, m)
+        side, beyond, more, square = beside(e, size, turn, m)
+        return m.name("factor", m.where(beyond, side * more, side) / m.where(beyond, square, more)), 0
 
     def back(self, x: Coefficient, fi: Coefficient, m: Arithmetic) -> Pair:
         at = self.scalars(x, m)

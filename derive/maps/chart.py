@@ -27,7 +27,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, cast
 import sympy
 
 from ..algebra import Coefficient, Quaternion
-from ..algebra.arithmetic import Arithmetic
+from ..algebra.arithmetic import Arithmetic, Marked
 from .chart_formulas import ChartFormulas, Scalars
 from .polynomials import Pair, Triple
 from .real_constants import number, plus, times
@@ -139,7 +139,42 @@ class Chart(ChartFormulas):
         Near a fold, x alone determines the angle badly: the error grows with 1/φ′.
         """
 
+    def known(self, angle: Coefficient, m: Arithmetic) -> Coefficient:
+        """Return the number by which `at_known` knows an angle: the angle itself."""
+        return angle
+
+    def at_known(self, x: Coefficient, fi: Coefficient, known: Coefficient, m: Arithmetic) -> Scalars:
+        """Return the scalars of T⁻¹ as `at_angle` does, for the number `known` of the angle."""
+        return self.at_angle(x, fi, known, m)
+
     # --- branches -------------------------------------------------------------------------------------------------
+
+    def followed(
+        self, x: Coefficient, along: Coefficient, e: Quaternion, size: Coefficient, turn: Coefficient, m: Arithmetic
+    ) -> Pair:
+        """Return the factor of vec e in the vector that a step from v leads to, and the number `known` of its angle.
+
+        The product e = exp(δ/2) q̂(v), or its reverse, has the norm `size`; ``along = v · vec e``; `turn` is the scalar
+        part of exp(δ/2). The angle is that nearest the projection of v's angle on the new axis.
+        """
+        ss = m.name("ss", e.vector.dot(e.vector))
+        still, resting = m.name("still", m.equal(ss, 0)), m.name("resting", m.equal(x, 0))
+        # NaN where the square overflows
+        length = m.name("length", m.sqrt(m.where(still, 1 + ss, ss)) + (ss - ss))
+        r = m.name("rv", m.sqrt(m.where(resting, 1 + x, x)))
+        own = self.unfolded(x, r, cast(Arithmetic, Marked(m, "v")))
+        projected = m.name("projected", m.where(resting, 0, own / r) * along / length)
+        sine = m.name("sine", m.where(still, ss, length))
+        # an angle within half a turn has all digits near the identity, for both signs of e
+        falling = m.name("falling", m.less(e.scalar, 0))
+        cosine = m.name("cosine", m.where(falling, -e.scalar, e.scalar))
+        angle = m.name("folded", m.where(falling, -2, 2) * m.atan2(sine, cosine))
+        turns = m.name("turns", projected - angle + 2 * m.atan2(m.tan(m.div(angle - projected, 2)), 1))
+        # a multiple of 2π up to rounding; set to 0 on the principal branch, where rounding would spoil small angles
+        alpha = m.name("alphan", angle + m.where(m.less(m.abs(turns), 1), 0, turns))
+        r, slope = self.coefficient_of(alpha, sine, e.scalar, cast(Arithmetic, Marked(m, "n")))
+        rest = 2 * slope / m.name("z0s", m.where(still, e.scalar, length))
+        return m.name("factor", m.where(still, rest, r / length)), self.known(alpha, cast(Arithmetic, Marked(m, "n")))
 
     def direction(self, x: Coefficient, y: Coefficient, r: Coefficient, m: Arithmetic) -> Coefficient:
         """Return the sign, 1 or −1, in the axis ``u = ±v/|v|`` of the principal angle, for ``r = |v|``."""

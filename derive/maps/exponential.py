@@ -115,6 +115,12 @@ class PrincipalScalars(ExponentialScalars):
         return left
 
 
+class StepScalars(ExponentialScalars):
+    """Scalars of a step, whose f and g come from its quaternion: errors are those of the angle |δ|."""
+
+    f, g = DependentScalars.f, DependentScalars.g
+
+
 @dataclass(frozen=True)
 class Exponential(AngleChart):
     """Chart v = α u, without an edge."""

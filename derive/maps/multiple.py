@@ -36,7 +36,7 @@ POWERS = {
 
 FURTHER_POWERS = {
     "x": -2, "y": -2, "v11": -2, "v22": -2, "v33": -2, "r": -1, "fe": -1, "b": 1, "gain": -1, "rk": -1,
-    "place": -2,
+    "place": -2, "along": -1, "factor": -1,
 }  # fmt: skip
 """Powers of K that divide other numbers of the base chart; angles, turns and quaternions have none."""
 
@@ -143,8 +143,21 @@ class Multiple(Chart):
         return self._times(f, m, "fi_v"), m.name("hi_v", divided(h, self.factor, m))
 
     def at_angle(self, x: Coefficient, fi: Coefficient, angle: Coefficient, m: Arithmetic) -> MultipleScalars:
+        return self.at_known(x, fi, self.known(angle, m), m)
+
+    def known(self, angle: Coefficient, m: Arithmetic) -> Coefficient:
+        return self.base.known(angle, m)
+
+    def at_known(self, x: Coefficient, fi: Coefficient, known: Coefficient, m: Arithmetic) -> MultipleScalars:
         fi = m.name("fi_w", divided(fi, self.factor, m))
-        return MultipleScalars(self.base.at_angle(self._square(x, m), fi, angle, m), self.factor, m)
+        return MultipleScalars(self.base.at_known(self._square(x, m), fi, known, m), self.factor, m)
+
+    def followed(
+        self, x: Coefficient, along: Coefficient, e: Quaternion, size: Coefficient, turn: Coefficient, m: Arithmetic
+    ) -> Pair:
+        along = m.name("along_w", divided(along, self.factor, m))
+        factor, known = self.base.followed(self._square(x, m), along, e, size, turn, m)
+        return self._times(factor, m, "factor_v"), known
 
     def natural(self, x: Coefficient, y: Coefficient, r: Coefficient, m: Arithmetic) -> Triple:
         angle, slope, sign = self.base.natural(self._square(x, m), y, self._length(r, m), m)

@@ -103,6 +103,22 @@ def half_sine(q: Quaternion, cosine: Coefficient, m: Arithmetic) -> tuple[Any, C
     return still, square, sine
 
 
+def beside(
+    e: Quaternion, size: Coefficient, turn: Coefficient, m: Arithmetic
+) -> tuple[Coefficient, Any, Coefficient, Coefficient]:
+    """Return the sign with which e is a step of at most half a turn from q̂(v), and data of ``α/2`` of sign times e.
+
+    These are whether α is beyond half a turn, ``size (1 + |cos(α/2)|)``, and the square of vec e, NaN if it overflows.
+    A factor of vec e with all digits divides by this square where α is beyond half a turn.
+    """
+    side = m.name("side", m.where(m.less(1 + m.div(turn, NOISE_GIVEN), 1), -1, 1))
+    cosine = m.name("cosine", side * e.scalar)
+    beyond_half = m.name("beyondhalf", m.less(cosine, 0))
+    square = m.name("ss", e.vector.dot(e.vector))
+    more = m.name("more", m.where(beyond_half, size - cosine, size + cosine) + (square - square))
+    return side, beyond_half, more, square
+
+
 def has_ladder(n: int) -> bool:
     """Return whether n is a power of two: then log2(n) half-angle formulas lead from α/2 to α/2n."""
     return n & (n - 1) == 0
@@ -229,6 +245,23 @@ class OrderChart(BranchesOfOrder, QuaternionChart):
         )
 
     # --- branches ---------------------------------------------------------------------------------------------------
+
+    def followed(
+        self, x: Coefficient, along: Coefficient, e: Quaternion, size: Coefficient, turn: Coefficient, m: Arithmetic
+    ) -> Pair:
+        if self.order > 2:
+            return super().followed(x, along, e, size, turn, m)
+        if self.order == 1:
+            side, cosine = half_cosine(e, size, m)
+            below, c = size, m.name("known", m.div(cosine, size))
+        else:
+            side, beyond_half, more, square = beside(e, size, turn, m)
+            half = m.name("half", m.sqrt(m.div(m.div(more, size), 2)))
+            sine = m.name("sine", m.div(m.sqrt(m.where(beyond_half, square, 1 + square)), size))
+            c = m.name("known", m.where(beyond_half, m.div(sine, 2 * half), half))
+            below = size * (2 * c)
+        above, root = self.over_sine(c, m)
+        return m.name("factor", m.div(side * above, below * root)), c
 
     def unfolded(self, x: Coefficient, r: Coefficient, m: Arithmetic) -> Coefficient:
         c, sigma = self.cosine(x, m)

@@ -145,8 +145,15 @@ class Sine(OrderChart):
         return SineScalars(self.order, x, m)
 
     def at_angle(self, x: Coefficient, fi: Coefficient, angle: Coefficient, m: Arithmetic) -> SineAtAngle:
+        return self.at_known(x, fi, self.known(angle, m), m)
+
+    def known(self, angle: Coefficient, m: Arithmetic) -> Coefficient:
+        """Return cos θ, whose sign changes every 2nπ; v is on the side where it is positive."""
         _, cosine = double_angle(m.name("t", m.tan(m.div(angle, 4 * self.order))), m)
-        return SineAtAngle(self, x, fi, m.abs(cosine), m)  # the sign of cos θ changes every 2nπ
+        return m.name("known", m.abs(cosine))
+
+    def at_known(self, x: Coefficient, fi: Coefficient, known: Coefficient, m: Arithmetic) -> SineAtAngle:
+        return SineAtAngle(self, x, fi, known, m)
 
     def phi_derivatives(self, sine: Coefficient, cosine: Coefficient, m: Arithmetic, mark: str = "") -> Derivatives:
         return sine, cosine, -sine

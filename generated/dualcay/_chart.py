@@ -62,20 +62,23 @@ class Chart:
 
     def __post_init__(self) -> None:
         self.plain = SimpleNamespace(**self.functions)
-        self._recorded: dict[tuple[str, np.dtype[Any], int], Program] = {}
+        self._recorded: dict[tuple[str, np.dtype[Any], int, tuple[float, ...]], Program] = {}
 
     @cached_property
     def native(self) -> Mapping[str, Compiled]:
         """Compiled functions that replace kernels, by name."""
         return native_functions(self.module, self.programs)
 
-    def recorded(self, name: str, dtype: np.dtype[Any], table: int) -> Program:
-        """Return the recorded program of a kernel for a dtype and a table length; the first call records it."""
-        key = name, dtype, table
+    def recorded(self, name: str, dtype: np.dtype[Any], table: int, known: tuple[float, ...] = ()) -> Program:
+        """Return the recorded program of a kernel for a dtype and a table, whose length or numbers are known."""
+        key = name, dtype, table, known
         if key not in self._recorded:
             kernel = self.kernels[name]
             sizes = [*(prod(part) for _, part in kernel.arguments), *([table] if table else ())]
-            self._recorded[key] = record(lambda m, *arguments: kernel.plain(m, self.plain, *arguments), sizes, dtype)
+            given = (known,) if known else ()
+            self._recorded[key] = record(
+                lambda m, *arguments: kernel.plain(m, self.plain, *arguments, *given), sizes, dtype
+            )
         return self._recorded[key]
 
 

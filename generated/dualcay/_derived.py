@@ -122,7 +122,7 @@ POWERS: Mapping[str, tuple[tuple[int, ...], tuple[int, ...]]] = {
     "reached": ((0,), (0,)),
     "turned": ((1, 0, 0), (-1, 0, 1)),
     "beyond": ((2,), (0, -2, 0, 0)),
-    "coefficient": ((0,), (-1, -1)),
-    "coefficient_of": ((0, 0, 0), (-1, -1)),
+    "coefficient": ((0,), (-1, -1, 0)),
+    "followed": ((2, 1, 0, 0, 0, 0, 0, 0), (-1, 0)),
 }
 """Exponents of K by scalar program: divisors of its arguments, then divisors of its results; 0 for all others."""

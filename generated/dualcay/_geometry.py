@@ -798,7 +798,7 @@ def from_screw(m: Any, c: Any, angle: Components, line: Components) -> Result:
     """Vector v = φ(α) u, in dual numbers."""
     alpha, alphao = angle
     u1, u2, u3, u1o, u2o, u3o = line
-    r, slope = c.coefficient(m, alpha)
+    r, slope, _ = c.coefficient(m, alpha)
     every = alpha + alphao + u1 + u2 + u3 + u1o + u2o + u3o
     size = r + (every - every)
     ro = alphao * slope
@@ -891,7 +891,7 @@ def from_exponential(m: Any, c: Any, w: Components) -> Result:
     length = m.sqrt(square) + (square - square)
     alpha = m.where(resting, x, length)
     within, = c.reached(m, alpha)
-    rn, slopen = c.coefficient(m, within)
+    rn, slopen, _ = c.coefficient(m, within)
     share = m.where(resting, slopen, rn / length)
     y = w1 * w1o + w2 * w2o + w3 * w3o
     bend = (slopen - share) * y / square
@@ -1144,8 +1144,7 @@ def exponential_scalars(m: Any, delta: Components) -> Result:
     v11 = d1 * d1
     v22 = d2 * d2
     v33 = d3 * d3
-    part = v11 + v22
-    x = part + v33
+    x = v11 + v22 + v33
     nearby = x < 6
     z = m.where(nearby, x, x - x) / 4
     C7 = (
@@ -1164,21 +1163,9 @@ def exponential_scalars(m: Any, delta: Components) -> Result:
     below = 1 + tt
     s = m.where(nearby, C0, (1 - tt) / below)
     w = m.where(nearby, C1 / 2, 2 * t / below / alpha)
-    thalf = m.tan(alpha / 2)
-    tthalf = thalf * thalf
-    belowhalf = 1 + tthalf
-    sine = 2 * thalf / belowhalf
-    versine = m.where(tthalf < 16, 2 * tthalf / belowhalf, 2 - 2 / belowhalf)
-    beside = alpha - 4
-    v33_in = x - part
-    v22_in = part - v11
-    left = (
-        xx - 16 - 8 * beside - beside * beside + (v11 - (part - v22_in) + (v22 - v22_in) + (part - (x - v33_in) + (v33
-        - v33_in)))
-    )
-    lost = m.where(alpha < 8, left, 0) / (2 * alpha)
-    f = m.where(nearby, C0 * C1, (sine + lost * (1 - versine)) / alpha)
-    g = m.where(nearby, CC1 / 2, (versine + lost * sine) / xx)
+    f = 2 * (s * w)
+    ww = w * w
+    g = 2 * ww
     C01 = 1 + C0
     C2 = CC1 / C01
     h = m.where(nearby, (C3 + C1 * C2) / 4, (1 - f) / xx)
@@ -1192,33 +1179,21 @@ def exponential_scalars(m: Any, delta: Components) -> Result:
     return s, w, f, g, h, fy, gy, hy
 
 
-def nearest(m: Any, c: Any, v: Components, e: Components) -> Result:
-    """Vector ``factor · vec e = φ(α) u`` of a quaternion e, factor · e0, and α: the angle nearest v's along u."""
+def followed(m: Any, c: Any, v: Components, e: Components, size: Any, turn: Any) -> Result:
+    """Vector ``factor · vec e`` of a quaternion e on the branch nearest v, factor · e0, and the number of its angle.
+    The quaternion has a size; turn is the scalar part of the step.
+    """
     v1, v2, v3 = v
     e0, e1, e2, e3 = e
-    ss = e1 * e1 + e2 * e2 + e3 * e3
-    still = ss == 0
+    along = v1 * e1 + v2 * e2 + v3 * e3
     x = v1 * v1 + v2 * v2 + v3 * v3
-    resting = x == 0
-    length = m.sqrt(m.where(still, 1 + ss, ss)) + (ss - ss)
-    r = m.sqrt(m.where(resting, 1 + x, x))
-    own, = c.unfolded(m, x, r)
-    along = m.where(resting, 0, own / r) * (v1 * e1 + v2 * e2 + v3 * e3) / length
-    sine = m.where(still, ss, length)
-    falling = e0 < 0
-    cosine = m.where(falling, -e0, e0)
-    folded = m.where(falling, -2, 2) * m.atan2(sine, cosine)
-    turns = along - folded + 2 * m.atan2(m.tan((folded - along) / 2), 1)
-    alpha = folded + m.where(m.abs(turns) < 1, 0, turns)
-    rn, slopen = c.coefficient_of(m, alpha, sine, e0)
-    z0s = m.where(still, e0, length)
-    factor = m.where(still, 2 * slopen / z0s, rn / length)
+    factor, known = c.followed(m, x, along, e0, e1, e2, e3, size, turn)
     made1 = e1 * factor
     made2 = e2 * factor
     made3 = e3 * factor
     xmade = made1 * made1 + made2 * made2 + made3 * made3
     inside, = c.inside(m, xmade)
-    return made1 * inside, made2 * inside, made3 * inside, factor * e0, alpha
+    return made1 * inside, made2 * inside, made3 * inside, factor * e0, known
 
 
 def retract(m: Any, c: Any, v: Components, delta: Components) -> Result:
@@ -1226,7 +1201,7 @@ def retract(m: Any, c: Any, v: Components, delta: Components) -> Result:
     v1, v2, v3, _, _, _ = v
     d1, d2, d3, d1o, d2o, d3o = delta
     s, w, f, g, h, _, _, _ = exponential_scalars(m, (d1, d2, d3))
-    e0_1, e1_1, e2_1, e3_1, _, _, _, rho1_1, rho2_1, rho3_1 = displacement(m, c, v)
+    e0_1, e1_1, e2_1, e3_1, size_1, _, _, rho1_1, rho2_1, rho3_1 = displacement(m, c, v)
     gvd1 = d1 * g
     gvd2 = d2 * g
     gvd3 = d3 * g
@@ -1237,9 +1212,9 @@ def retract(m: Any, c: Any, v: Components, delta: Components) -> Result:
         + (gvd3 * d1o - gvd1 * d3o) + d2 * alongd, d3o * f + (gvd1 * d2o - gvd2 * d1o) + d3 * alongd), (e0_1, e1_1,
         e2_1, e3_1), (rho1_1, rho2_1, rho3_1))
     )
-    w1, w2, w3, fe, angle = nearest(m, c, (v1, v2, v3), (e0, e1, e2, e3))
+    w1, w2, w3, fe, known = followed(m, c, (v1, v2, v3), (e0, e1, e2, e3), size_1, s)
     x = w1 * w1 + w2 * w2 + w3 * w3
-    hi, = c.inverse_at(m, x, fe, angle)
+    hi, = c.inverse_at(m, x, fe, known)
     shift1 = rho1 / 2
     shift2 = rho2 / 2
     shift3 = rho3 / 2
@@ -1255,7 +1230,7 @@ def body_retract(m: Any, c: Any, v: Components, delta: Components) -> Result:
     v1, v2, v3, _, _, _ = v
     d1, d2, d3, d1o, d2o, d3o = delta
     s, w, f, g, h, _, _, _ = exponential_scalars(m, (d1, d2, d3))
-    e0_1, e1_1, e2_1, e3_1, _, f_1, g_1, rho1_1, rho2_1, rho3_1 = displacement(m, c, v)
+    e0_1, e1_1, e2_1, e3_1, size_1, f_1, g_1, rho1_1, rho2_1, rho3_1 = displacement(m, c, v)
     gvd1 = d1 * g
     gvd2 = d2 * g
     gvd3 = d3 * g
@@ -1266,9 +1241,9 @@ def body_retract(m: Any, c: Any, v: Components, delta: Components) -> Result:
         + (gvd2 * d3o - gvd3 * d2o) + d1 * alongd, d2o * f + (gvd3 * d1o - gvd1 * d3o) + d2 * alongd, d3o * f + (gvd1
         * d2o - gvd2 * d1o) + d3 * alongd))
     )
-    w1, w2, w3, fe, angle = nearest(m, c, (v1, v2, v3), (e0, e1, e2, e3))
+    w1, w2, w3, fe, known = followed(m, c, (v1, v2, v3), (e0, e1, e2, e3), size_1, s)
     x = w1 * w1 + w2 * w2 + w3 * w3
-    hi, = c.inverse_at(m, x, fe, angle)
+    hi, = c.inverse_at(m, x, fe, known)
     shift1 = rho1 / 2
     shift2 = rho2 / 2
     shift3 = rho3 / 2
@@ -1284,7 +1259,7 @@ def retract_jacobians(m: Any, c: Any, v: Components, delta: Components) -> Resul
     v1, v2, v3, _, _, _ = v
     d1, d2, d3, d1o, d2o, d3o = delta
     s, w, f, g, h, fy, gy, hy = exponential_scalars(m, (d1, d2, d3))
-    e0_1, e1_1, e2_1, e3_1, _, _, _, rho1_1, rho2_1, rho3_1 = displacement(m, c, v)
+    e0_1, e1_1, e2_1, e3_1, size_1, _, _, rho1_1, rho2_1, rho3_1 = displacement(m, c, v)
     gvd1 = d1 * g
     gvd2 = d2 * g
     gvd3 = d3 * g
@@ -1295,9 +1270,9 @@ def retract_jacobians(m: Any, c: Any, v: Components, delta: Components) -> Resul
         + (gvd3 * d1o - gvd1 * d3o) + d2 * alongd, d3o * f + (gvd1 * d2o - gvd2 * d1o) + d3 * alongd), (e0_1, e1_1,
         e2_1, e3_1), (rho1_1, rho2_1, rho3_1))
     )
-    w1, w2, w3, fe, angle = nearest(m, c, (v1, v2, v3), (e0, e1, e2, e3))
+    w1, w2, w3, fe, known = followed(m, c, (v1, v2, v3), (e0, e1, e2, e3), size_1, s)
     x = w1 * w1 + w2 * w2 + w3 * w3
-    fi, hi, fiy, hiy = c.tangent_inv_at(m, x, fe, angle)
+    fi, hi, fiy, hiy = c.tangent_inv_at(m, x, fe, known)
     shift1 = rho1 / 2
     shift2 = rho2 / 2
     shift3 = rho3 / 2
@@ -1475,7 +1450,7 @@ def interpolate(m: Any, c: Any, v1: Components, v2: Components, time: Components
     turns = alpha + m.where(apart, -2 * half1, gone - halft_by_2)
     still = sinet == 0
     angle = m.where(still, sinet, m.where(m.abs(turns) < 1, 0, turns) + halft_by_2)
-    rn, slopen = c.coefficient(m, angle)
+    rn, slopen, knownn = c.coefficient(m, angle)
     z0s = m.where(still, e0, 1)
     nosine = m.where(still, 1 + sinet, sinet)
     factor = m.where(still, 2 * slopen / z0s, rn / nosine)
@@ -1490,7 +1465,7 @@ def interpolate(m: Any, c: Any, v1: Components, v2: Components, time: Components
     v_3 = made3 * inside
     fe = factor * e0
     xw = v_1 * v_1 + v_2 * v_2 + v_3 * v_3
-    hi, = c.inverse_at(m, xw, fe, angle)
+    hi, = c.inverse_at(m, xw, fe, knownn)
     shift1 = rho1 / 2
     shift2 = rho2 / 2
     shift3 = rho3 / 2

@@ -1313,6 +1313,7 @@ class PoseKernels(Kernels):
         r"""Return the vector after a step δ in the space frame: ``R(w) = exp(δ) R(v)``.
 
         w lies on the branch nearest v: the angles of w and v differ by at most π. Steps thus continue past half a turn.
+        For a step that turns by more than π it is the branch of the shorter way, a step with the same exp(δ).
 
         Parameters
         ----------
@@ -1655,6 +1656,7 @@ class PoseKernels(Kernels):
         r"""Return the vector after a step δ in the body frame: ``R(w) = R(v) exp(δ)``.
 
         w lies on the branch nearest v: the angles of w and v differ by at most π. Steps thus continue past half a turn.
+        For a step that turns by more than π it is the branch of the shorter way, a step with the same exp(δ).
 
         Parameters
         ----------

@@ -36,18 +36,38 @@ def _scaled(
 ) -> Function:
     """Return a scalar program whose arguments and results are divided by powers of K."""
     before, after = powers
-    changed, scaled = any(before), any(after)
+    if not any((*before, *after)):
+        return program
     given, found = _divisions(before, scale), _divisions(after, scale)
+    if {*given[0], *found[0]} <= {truediv, _kept} and not constant:
+        return _divided_alike(program, given[1], found[1])
+    pairs = list(zip(found[0], found[1], strict=True))
 
     def run(m: Any, *arguments: Any) -> Result:
-        inner = (*map(call, given[0], arguments, given[1]), *arguments[len(before) :]) if changed else arguments
-        results = program(m, *inner)
-        if constant:  # convert integers to the type of the arguments: 1/2 would be a float
-            zero = arguments[0] - arguments[0]
-            results = tuple([r + zero if type(r) is int else r for r in results])
-        return tuple(map(call, found[0], results, found[1])) if scaled else results
+        results = program(m, *map(call, given[0], arguments, given[1]), *arguments[len(before) :])
+        if not constant:
+            return tuple([operation(r, by) for r, (operation, by) in zip(results, pairs, strict=True)])
+        # integers take the type of the arguments, since 1/2 would be a float; 0 stays
+        zero = arguments[0] - arguments[0]
+        return tuple([
+            operation(r, by) if type(r) is not int else r and operation(r + zero, by)
+            for r, (operation, by) in zip(results, pairs, strict=True)
+        ])
 
     return run
+
+
+def _divided_alike(program: Function, given: Sequence[int], found: Sequence[int]) -> Function:
+    """Return a scalar program whose arguments and results are all divided, in the shortest time for a single pose."""
+
+    def run(m: Any, *arguments: Any) -> Result:
+        return tuple(map(truediv, program(m, *map(truediv, arguments, given)), found))
+
+    def of_squares(m: Any, first: Any, second: Any, third: Any) -> Result:
+        return tuple(map(truediv, program(m, first / most, second / most, third / most), found))
+
+    most = given[0]
+    return of_squares if [*given] == [most] * 3 else run
 
 
 def _divisions(powers: Sequence[int], scale: Fraction) -> tuple[list[Function], list[Any]]:

@@ -4,7 +4,8 @@
 """Shared path of all kernel functions: check the arguments, run a form of the kernel, store the result.
 
 Compiled forms take batches of real floats of any size. Without them, a few poses run one by one on Python floats; for
-float32 the results are rounded once. Larger batches and other dtypes run the recorded program of the kernel on arrays.
+float32 the results are rounded once. Where float32 selects branches, and for longdouble, they run on NumPy's numbers.
+Larger batches and other dtypes run the recorded program of the kernel on arrays.
 Objects (fractions, symbols, numbers of many digits) run the Python code of the kernel pose by pose, without conversion.
 """
 
@@ -13,6 +14,7 @@ from __future__ import annotations
 import math
 from array import array as machine_array
 from collections.abc import Sequence
+from contextlib import nullcontext
 from fractions import Fraction
 from functools import cache
 from itertools import chain
@@ -32,6 +34,9 @@ FLOAT = np.dtype(np.float64)
 SINGLE = np.dtype(np.float32)
 COMPILED = (SINGLE, FLOAT, np.dtype(np.longdouble))
 """Dtypes that compiled forms take."""
+
+FACTORS = {"1": 1, "-1": -1, "0.5": 0.5, "-0.5": -0.5}
+"""Factors of a frame; a recorded program knows them, and multiplies by 0.5 only."""
 
 RAISED = (ZeroDivisionError, OverflowError, ValueError)
 """Errors of Python arithmetic at singular points, where IEEE arithmetic returns inf or NaN."""
@@ -62,6 +67,10 @@ class Objects:
     expm1 = staticmethod(np.expm1)
     log1p = staticmethod(np.log1p)
     where = staticmethod(Floats.where)
+
+
+class Scalars(Objects):
+    """Functions that kernels call, for NumPy's numbers of one dtype: float32 or longdouble."""
 
 
 def call(
@@ -145,25 +154,37 @@ def _table(texts: tuple[str, ...], dtype: np.dtype[Any]) -> Array:
 
 
 def _single(kernel: Kernel, arrays: Sequence[Array]) -> bool:
-    """Tell whether arrays hold one pose that runs on Python floats."""
+    """Tell whether arrays hold one pose of real floats of one dtype."""
     dtype = arrays[0].dtype
-    single = _on_python_floats(kernel, dtype)
+    single = dtype in COMPILED
     for array, (_, part) in zip(arrays, kernel.arguments):  # faster than ``all`` with a generator
         single = single and array.ndim == len(part) and array.dtype == dtype
     return single
 
 
-def _on_python_floats(kernel: Kernel, dtype: np.dtype[Any]) -> bool:
-    """Tell whether a few poses run on Python floats; selections of branches in float32 depend on its rounding."""
-    return dtype == FLOAT or (dtype == SINGLE and not kernel.real)
+def _functions(kernel: Kernel, dtype: np.dtype[Any]) -> type[Floats | Objects] | None:
+    """Return the functions by which a few poses run one by one; None for complex numbers.
+
+    Selections of branches in float32 depend on its rounding, so that they run on NumPy's numbers.
+    """
+    if dtype == FLOAT or (dtype == SINGLE and not kernel.real):
+        return Floats
+    return Scalars if dtype in COMPILED else Objects if dtype.hasobject else None
 
 
 def _alone(kernel: Kernel, chart: Chart, arrays: Sequence[Array], table: tuple[str, ...]) -> Array | None:
-    """Return the result for one pose of floats, or None if Python raises one of ``RAISED``."""
+    """Return the result for one pose of real floats; None if it is not finite or Python raises one of ``RAISED``."""
+    dtype = arrays[0].dtype
     try:
-        extra = (constants(table, FLOAT),) if table else ()
-        found = kernel.plain(Floats, chart.plain, *[(a if a.ndim == 1 else a.ravel()).tolist() for a in arrays], *extra)
-        return _rounded(found, arrays[0].dtype).reshape(kernel.shape)
+        extra = (constants(table, dtype),) if table else ()
+        if _functions(kernel, dtype) is Floats:
+            given = [(a if a.ndim == 1 else a.ravel()).tolist() for a in arrays]
+            found = kernel.plain(Floats, chart.plain, *given, *extra)
+        else:
+            with np.errstate(all="ignore"):
+                found = kernel.plain(Scalars, chart.plain, *[list(a.ravel()) for a in arrays], *extra)
+        # elsewhere the recorded program decides: without products with 0, it is finite in more places
+        return _rounded(found, dtype).reshape(kernel.shape) if math.isfinite(sum(found)) else None
     except RAISED:
         return None
 
@@ -178,27 +199,30 @@ def _one_by_one(
     table: tuple[str, ...],
 ) -> Array | None:
     """Return the result for a few poses of floats or for objects; None if the recorded program must run."""
-    if not dtype.hasobject and (math.prod(batch) > POINTWISE_MAX or not _on_python_floats(kernel, dtype)):
+    functions = _functions(kernel, dtype)
+    if functions is None or (functions is not Objects and math.prod(batch) > POINTWISE_MAX):
         return None
-    functions = Objects if dtype.hasobject else Floats
     extra = (constants(table, dtype),) if table else ()
     try:
-        poses = zip(*[_poses(a, part, batch, axis) for a, (_, part) in zip(arrays, kernel.arguments)])
-        results = [kernel.plain(functions, chart.plain, *pose, *extra) for pose in poses]
+        poses = zip(*[_poses(a, part, batch, axis, functions is Scalars) for a, (_, part) in zip(arrays, kernel.arguments)])
+        with np.errstate(all="ignore") if functions is Scalars else nullcontext():
+            results = [kernel.plain(functions, chart.plain, *pose, *extra) for pose in poses]
     except RAISED:
         if dtype.hasobject:
             raise
         return None
     size = math.prod(kernel.shape)
+    if not dtype.hasobject and not math.isfinite(sum(chain.from_iterable(results))):
+        return None
     packed = _packed(results, size) if dtype.hasobject else _rounded(list(chain.from_iterable(results)), dtype)
     last = packed.reshape(batch + kernel.shape)
     return last if axis == -1 else np.ascontiguousarray(np.moveaxis(last, range(len(batch)), range(-len(batch), 0)))
 
 
 def _rounded(results: Sequence[Any], dtype: np.dtype[Any]) -> Array:
-    """Return Python floats as an array of float64 or float32; beyond the range of float32 they are infinite."""
+    """Return numbers as an array of floats; beyond the range of float32 they are infinite."""
     # the conversion of NumPy warns of overflow
-    return np.array(results, dtype) if dtype == FLOAT else np.frombuffer(machine_array("f", results), dtype)
+    return np.frombuffer(machine_array("f", results), dtype) if dtype == SINGLE else np.array(results, dtype)
 
 
 def _packed(results: Sequence[Result], size: int) -> Array:
@@ -209,13 +233,14 @@ def _packed(results: Sequence[Result], size: int) -> Array:
     return array
 
 
-def _poses(array: Array, part: Shape, batch: Shape, axis: int) -> list[list[Any]]:
-    """Return a list of components for each pose."""
+def _poses(array: Array, part: Shape, batch: Shape, axis: int, kept: bool) -> list[list[Any]]:
+    """Return a list of components for each pose, as Python floats or, if ``kept``, as numbers of their dtype."""
     if axis == 0:
         array = np.moveaxis(array, range(len(part)), range(-len(part), 0))
     if array.shape != batch + part:
         array = np.broadcast_to(array, batch + part)
-    listed: list[list[Any]] = array.reshape(-1, math.prod(part)).tolist()
+    rows = array.reshape(-1, math.prod(part))
+    listed: list[list[Any]] = [list(row) for row in rows] if kept else rows.tolist()
     return listed
 
 
@@ -230,12 +255,13 @@ def _record_and_run(
 ) -> None:
     """Run the recorded program of a kernel; a single pose is a batch of one."""
     kernel = chart.kernels[name]
-    extra = [np.array(value, dtype) for value in constants(table, dtype)]
+    known = tuple(FACTORS[text] for text in table) if FACTORS.keys() >= set(table) else ()
+    extra = [] if known else [np.array(value, dtype) for value in constants(table, dtype)]
     if result.ndim == len(kernel.shape):
         one = (..., np.newaxis) if axis == 0 else (np.newaxis, ...)
         arrays, result = [array[one] for array in arrays], result[one]
     with np.errstate(all="ignore"):
-        run(kernel, chart.recorded(name, dtype, len(table)), arrays, extra, result, axis)
+        run(kernel, chart.recorded(name, dtype, len(extra), known), arrays, extra, result, axis)
 
 
 def _supported(name: str, array: Array, real: bool) -> Array:

@@ -165,24 +165,16 @@ def _reached(m: Any, alpha: Any) -> Result:
     return within,
 
 
-# r = phi(alpha) and phi'
+# r = phi(alpha), phi', and the number by which alpha is known
 def _coefficient(m: Any, alpha: Any) -> Result:
     r = m.tan(alpha / 2)
     slope = (1 + r * r) / 2
-    return r, slope
+    return r, slope, alpha
 
 
-# r = phi(alpha) and phi', the sine and cosine of alpha/2 known but for their size
-def _coefficient_of(m: Any, alpha: Any, sine: Any, cosine: Any) -> Result:
-    sideof = m.where(alpha < 0, -1, 1)
-    size = m.abs(alpha)
-    nextto = m.abs(size - 3) < 1
-    divisor = m.where(nextto, sine, 1)
-    rest = m.where(nextto, 2 * sideof * m.atan2(cosine / divisor, 1), size)
-    t = m.tan(rest / 2)
-    r = sideof * m.where(nextto, 1, t) / m.where(nextto, t, 1)
-    slope = (1 + r * r) / 2
-    return r, slope
+# factor of vec e on the branch nearest v, and the number by which alpha is known
+def _followed(m: Any, x: Any, along: Any, e0: Any, e1: Any, e2: Any, e3: Any, size: Any, turn: Any) -> Result:
+    return 1 / e0, 0
 
 
 CHART = Chart(
@@ -199,10 +191,10 @@ CHART = Chart(
     functions=by_name(
         _quaternion_scalars, _pose_scalars, _tangent_scalars, _tangent_dot_scalars, _rate_scalars, _inverse_scalars,
         _inverse_at, _tangent_inv_at, _tangent_inv_scalars, _tangent_inv_dot_scalars, _ray, _gain, _inside, _natural,
-        _unfolded, _reached, _coefficient, _coefficient_of,
+        _unfolded, _reached, _coefficient, _followed,
     ),
     kernels=SHARED,
-    programs="17ef8f29b4ccb232",
+    programs="c2f77fbe2315e68a",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -229,24 +229,22 @@ def _beyond(m: Any, x: Any, limit1: Any, cos1: Any, sin1: Any) -> Result:
     return beyond1, place, cos1, sin1
 
 
-# r = phi(alpha) and phi'
+# r = phi(alpha), phi', and the number by which alpha is known
 def _coefficient(m: Any, alpha: Any) -> Result:
     r = m.tan(alpha / 4)
     slope = (1 + r * r) / 4
-    return r, slope
+    return r, slope, alpha
 
 
-# r = phi(alpha) and phi', the sine and cosine of alpha/2 known but for their size
-def _coefficient_of(m: Any, alpha: Any, sine: Any, cosine: Any) -> Result:
-    sideof = m.where(alpha < 0, -1, 1)
-    size = m.abs(alpha)
-    nextto = m.abs(size - 6) < 1
-    divisor = m.where(nextto, cosine, 1)
-    rest = m.where(nextto, 2 * sideof * m.atan2(-sine / divisor, 1), size)
-    t = m.tan(rest / 4)
-    r = sideof * m.where(nextto, 1, t) / m.where(nextto, t, 1)
-    slope = (1 + r * r) / 4
-    return r, slope
+# factor of vec e on the branch nearest v, and the number by which alpha is known
+def _followed(m: Any, x: Any, along: Any, e0: Any, e1: Any, e2: Any, e3: Any, size: Any, turn: Any) -> Result:
+    side = m.where(1 + turn / 16 < 1, -1, 1)
+    cosine = side * e0
+    beyondhalf = cosine < 0
+    ss = e1 * e1 + e2 * e2 + e3 * e3
+    more = m.where(beyondhalf, size - cosine, size + cosine) + (ss - ss)
+    factor = m.where(beyondhalf, side * more, side) / m.where(beyondhalf, ss, more)
+    return factor, 0
 
 
 CHART = Chart(
@@ -267,10 +265,10 @@ CHART = Chart(
     functions=by_name(
         _quaternion_scalars, _pose_scalars, _tangent_scalars, _tangent_dot_scalars, _rate_scalars, _inverse_scalars,
         _inverse_at, _tangent_inv_at, _tangent_inv_scalars, _tangent_inv_dot_scalars, _ray, _gain, _inside, _direction,
-        _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _coefficient_of,
+        _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _followed,
     ),
     kernels=SHARED,
-    programs="537edba82c83d532",
+    programs="c82b556ea91a72b9",
 )
 
 KERNELS = PoseKernels(CHART)

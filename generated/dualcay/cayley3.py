@@ -268,24 +268,38 @@ def _beyond(m: Any, x: Any, limit1: Any, cos1: Any, sin1: Any) -> Result:
     return beyond1, place, cos1, sin1
 
 
-# r = phi(alpha) and phi'
+# r = phi(alpha), phi', and the number by which alpha is known
 def _coefficient(m: Any, alpha: Any) -> Result:
     r = m.tan(alpha / 6)
     slope = (1 + r * r) / 6
-    return r, slope
+    return r, slope, alpha
 
 
-# r = phi(alpha) and phi', the sine and cosine of alpha/2 known but for their size
-def _coefficient_of(m: Any, alpha: Any, sine: Any, cosine: Any) -> Result:
-    sideof = m.where(alpha < 0, -1, 1)
-    size = m.abs(alpha)
-    nextto = m.abs(size - 9) < 1
-    divisor = m.where(nextto, sine, 1)
-    rest = m.where(nextto, 2 * sideof * m.atan2(cosine / divisor, 1), size)
-    t = m.tan(rest / 6)
-    r = sideof * m.where(nextto, 1, t) / m.where(nextto, t, 1)
-    slope = (1 + r * r) / 6
-    return r, slope
+# factor of vec e on the branch nearest v, and the number by which alpha is known
+def _followed(m: Any, x: Any, along: Any, e0: Any, e1: Any, e2: Any, e3: Any, size: Any, turn: Any) -> Result:
+    ss = e1 * e1 + e2 * e2 + e3 * e3
+    still = ss == 0
+    resting = x == 0
+    length = m.sqrt(m.where(still, 1 + ss, ss)) + (ss - ss)
+    rv = m.sqrt(m.where(resting, 1 + x, x))
+    projected = m.where(resting, 0, 6 * m.atan2(rv, 1) / rv) * along / length
+    sine = m.where(still, ss, length)
+    falling = e0 < 0
+    cosine = m.where(falling, -e0, e0)
+    folded = m.where(falling, -2, 2) * m.atan2(sine, cosine)
+    turns = projected - folded + 2 * m.atan2(m.tan((folded - projected) / 2), 1)
+    alphan = folded + m.where(m.abs(turns) < 1, 0, turns)
+    sideofn = m.where(alphan < 0, -1, 1)
+    sizen = m.abs(alphan)
+    nextton = m.abs(sizen - 9) < 1
+    divisorn = m.where(nextton, sine, 1)
+    restn = m.where(nextton, 2 * sideofn * m.atan2(e0 / divisorn, 1), sizen)
+    tn = m.tan(restn / 6)
+    rn = sideofn * m.where(nextton, 1, tn) / m.where(nextton, tn, 1)
+    slopen = (1 + rn * rn) / 6
+    z0s = m.where(still, e0, length)
+    factor = m.where(still, 2 * slopen / z0s, rn / length)
+    return factor, alphan
 
 
 CHART = Chart(
@@ -307,10 +321,10 @@ CHART = Chart(
     functions=by_name(
         _quaternion_scalars, _pose_scalars, _tangent_scalars, _tangent_dot_scalars, _rate_scalars, _inverse_scalars,
         _inverse_at, _tangent_inv_at, _tangent_inv_scalars, _tangent_inv_dot_scalars, _ray, _gain, _inside, _direction,
-        _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _coefficient_of,
+        _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _followed,
     ),
     kernels=SHARED,
-    programs="d26876ee43ad598f",
+    programs="cb6b849414e0de05",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -328,14 +328,28 @@ def _beyond(m: Any, x: Any, limit1: Any, cos1: Any, sin1: Any) -> Result:
     return beyond1, place, share, back
 
 
-# r = phi(alpha) and phi'
+# r = phi(alpha), phi', and the number by which alpha is known
 def _coefficient(m: Any, alpha: Any) -> Result:
-    return alpha, 1
+    return alpha, 1, alpha
 
 
-# r = phi(alpha) and phi', the sine and cosine of alpha/2 known but for their size
-def _coefficient_of(m: Any, alpha: Any, sine: Any, cosine: Any) -> Result:
-    return alpha, 1
+# factor of vec e on the branch nearest v, and the number by which alpha is known
+def _followed(m: Any, x: Any, along: Any, e0: Any, e1: Any, e2: Any, e3: Any, size: Any, turn: Any) -> Result:
+    ss = e1 * e1 + e2 * e2 + e3 * e3
+    still = ss == 0
+    resting = x == 0
+    length = m.sqrt(m.where(still, 1 + ss, ss)) + (ss - ss)
+    rv = m.sqrt(m.where(resting, 1 + x, x))
+    projected = m.where(resting, 0, rv / rv) * along / length
+    sine = m.where(still, ss, length)
+    falling = e0 < 0
+    cosine = m.where(falling, -e0, e0)
+    folded = m.where(falling, -2, 2) * m.atan2(sine, cosine)
+    turns = projected - folded + 2 * m.atan2(m.tan((folded - projected) / 2), 1)
+    alphan = folded + m.where(m.abs(turns) < 1, 0, turns)
+    z0s = m.where(still, e0, length)
+    factor = m.where(still, 2 / z0s, alphan / length)
+    return factor, alphan
 
 
 CHART = Chart(
@@ -355,10 +369,10 @@ CHART = Chart(
     functions=by_name(
         _quaternion_scalars, _pose_scalars, _tangent_scalars, _tangent_dot_scalars, _rate_scalars, _inverse_scalars,
         _inverse_at, _tangent_inv_at, _tangent_inv_scalars, _tangent_inv_dot_scalars, _ray, _gain, _inside, _direction,
-        _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _coefficient_of,
+        _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _followed,
     ),
     kernels=SHARED,
-    programs="1f21d0194ecef6e6",
+    programs="f36d2186fadd3e77",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -115,38 +115,30 @@ def _inverse_scalars(m: Any, x: Any, fe: Any) -> Result:
 
 # hi of T^-1 at a known angle
 def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
-    t = m.tan(angle / 8)
-    tt = t * t
-    below = 1 + tt
-    c = m.abs((1 - tt) / below)
-    cc = c * c
-    w = 2 * c
+    cc = angle * angle
+    w = 2 * angle
     ww = w * w
     g = 2 * ww
-    h = (8 * cc + 4) / c
-    rho = 4 / c
+    h = (8 * cc + 4) / angle
+    rho = 4 / angle
     hi = (g - fe * h) / rho
     return hi,
 
 
 # fi, hi of T^-1 at a known angle, with slopes fiy = 2 dfi/dx, hiy
 def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
-    t = m.tan(angle / 8)
-    tt = t * t
-    below = 1 + tt
-    c = m.abs((1 - tt) / below)
-    cc = c * c
-    w = 2 * c
+    cc = angle * angle
+    w = 2 * angle
     ww = w * w
     g = 2 * ww
-    h = (8 * cc + 4) / c
-    rho = 4 / c
+    h = (8 * cc + 4) / angle
+    rho = 4 / angle
     hi = (g - fe * h) / rho
     fiy = -(h / g)
     s = 2 * cc - 1
     f = 2 * (s * w)
     gy = f * h - g * g
-    hy = -16 / c + h / cc
+    hy = -16 / angle + h / cc
     rhoy = rho / cc
     hiy = (gy - fiy * h - fe * hy - hi * rhoy) / rho
     return fe, hi, fiy, hiy
@@ -281,7 +273,7 @@ def _beyond(m: Any, x: Any, limit1: Any, cos1: Any, sin1: Any) -> Result:
     return beyond1, place, cos1, sin1
 
 
-# r = phi(alpha) and phi'
+# r = phi(alpha), phi', and the number by which alpha is known
 def _coefficient(m: Any, alpha: Any) -> Result:
     t = m.tan(alpha / 8)
     tt = t * t
@@ -291,20 +283,22 @@ def _coefficient(m: Any, alpha: Any) -> Result:
     sin = side * (2 * t / below)
     cos = side * further
     slope = cos / 4
-    return sin, slope
+    known = m.abs(further)
+    return sin, slope, known
 
 
-# r = phi(alpha) and phi', the sine and cosine of alpha/2 known but for their size
-def _coefficient_of(m: Any, alpha: Any, sine: Any, cosine: Any) -> Result:
-    t = m.tan(alpha / 8)
-    tt = t * t
-    below = 1 + tt
-    further = (1 - tt) / below
-    side = m.where(further < 0, -1, 1)
-    sin = side * (2 * t / below)
-    cos = side * further
-    slope = cos / 4
-    return sin, slope
+# factor of vec e on the branch nearest v, and the number by which alpha is known
+def _followed(m: Any, x: Any, along: Any, e0: Any, e1: Any, e2: Any, e3: Any, size: Any, turn: Any) -> Result:
+    side = m.where(1 + turn / 16 < 1, -1, 1)
+    cosine = side * e0
+    beyondhalf = cosine < 0
+    ss = e1 * e1 + e2 * e2 + e3 * e3
+    more = m.where(beyondhalf, size - cosine, size + cosine) + (ss - ss)
+    half = m.sqrt(more / size / 2)
+    sine = m.sqrt(m.where(beyondhalf, ss, 1 + ss)) / size
+    known = m.where(beyondhalf, sine / (2 * half), half)
+    factor = side / (size * (2 * known))
+    return factor, known
 
 
 CHART = Chart(
@@ -325,10 +319,10 @@ CHART = Chart(
     functions=by_name(
         _quaternion_scalars, _pose_scalars, _tangent_scalars, _tangent_dot_scalars, _rate_scalars, _inverse_scalars,
         _inverse_at, _tangent_inv_at, _tangent_inv_scalars, _tangent_inv_dot_scalars, _ray, _gain, _inside, _direction,
-        _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _coefficient_of,
+        _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _followed,
     ),
     kernels=SHARED,
-    programs="9a030b6c2719a88f",
+    programs="15ea94d7457a51dd",
     ends=True,
 )
 

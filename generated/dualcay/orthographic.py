@@ -100,26 +100,18 @@ def _inverse_scalars(m: Any, x: Any, fe: Any) -> Result:
 
 # hi of T^-1 at a known angle
 def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
-    t = m.tan(angle / 4)
-    tt = t * t
-    below = 1 + tt
-    c = m.abs((1 - tt) / below)
-    h = 2 / c
+    h = 2 / angle
     hi = (2 - fe * h) / h
     return hi,
 
 
 # fi, hi of T^-1 at a known angle, with slopes fiy = 2 dfi/dx, hiy
 def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
-    t = m.tan(angle / 4)
-    tt = t * t
-    below = 1 + tt
-    c = m.abs((1 - tt) / below)
-    cc = c * c
-    h = 2 / c
+    cc = angle * angle
+    h = 2 / angle
     hi = (2 - fe * h) / h
     fiy = -(h / 2)
-    f = 2 * c
+    f = 2 * angle
     gy = f * h - 4
     hy = h / cc
     hiy = (gy - fiy * h - fe * hy - hi * hy) / h
@@ -209,7 +201,7 @@ def _reached(m: Any, alpha: Any) -> Result:
     return within,
 
 
-# r = phi(alpha) and phi'
+# r = phi(alpha), phi', and the number by which alpha is known
 def _coefficient(m: Any, alpha: Any) -> Result:
     t = m.tan(alpha / 4)
     tt = t * t
@@ -219,20 +211,17 @@ def _coefficient(m: Any, alpha: Any) -> Result:
     sin = side * (2 * t / below)
     cos = side * further
     slope = cos / 2
-    return sin, slope
+    known = m.abs(further)
+    return sin, slope, known
 
 
-# r = phi(alpha) and phi', the sine and cosine of alpha/2 known but for their size
-def _coefficient_of(m: Any, alpha: Any, sine: Any, cosine: Any) -> Result:
-    t = m.tan(alpha / 4)
-    tt = t * t
-    below = 1 + tt
-    further = (1 - tt) / below
-    side = m.where(further < 0, -1, 1)
-    sin = side * (2 * t / below)
-    cos = side * further
-    slope = cos / 2
-    return sin, slope
+# factor of vec e on the branch nearest v, and the number by which alpha is known
+def _followed(m: Any, x: Any, along: Any, e0: Any, e1: Any, e2: Any, e3: Any, size: Any, turn: Any) -> Result:
+    sign = m.where(size + e0 / 16 < size, -1, 1)
+    cos = sign * e0
+    known = cos / size
+    factor = sign / size
+    return factor, known
 
 
 CHART = Chart(
@@ -249,10 +238,10 @@ CHART = Chart(
     functions=by_name(
         _quaternion_scalars, _pose_scalars, _tangent_scalars, _tangent_dot_scalars, _rate_scalars, _inverse_scalars,
         _inverse_at, _tangent_inv_at, _tangent_inv_scalars, _tangent_inv_dot_scalars, _ray, _gain, _inside, _natural,
-        _unfolded, _reached, _coefficient, _coefficient_of,
+        _unfolded, _reached, _coefficient, _followed,
     ),
     kernels=SHARED,
-    programs="800b588f65a18e4a",
+    programs="98dbdb814021f786",
     ends=True,
 )
 

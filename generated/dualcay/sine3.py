@@ -119,40 +119,32 @@ def _inverse_scalars(m: Any, x: Any, fe: Any) -> Result:
 
 # hi of T^-1 at a known angle
 def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
-    t = m.tan(angle / 12)
-    tt = t * t
-    below = 1 + tt
-    c = m.abs((1 - tt) / below)
-    cc = c * c
+    cc = angle * angle
     w = 4 * cc - 1
     ww = w * w
     g = 2 * ww
-    h = (32 * cc * cc + 6) / c
-    rho = 6 / c
+    h = (32 * cc * cc + 6) / angle
+    rho = 6 / angle
     hi = (g - fe * h) / rho
     return hi,
 
 
 # fi, hi of T^-1 at a known angle, with slopes fiy = 2 dfi/dx, hiy
 def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
-    t = m.tan(angle / 12)
-    tt = t * t
-    below = 1 + tt
-    c = m.abs((1 - tt) / below)
-    cc = c * c
+    cc = angle * angle
     cc_by_4 = 4 * cc
     w = cc_by_4 - 1
     ww = w * w
     g = 2 * ww
-    h = (32 * cc * cc + 6) / c
-    rho = 6 / c
+    h = (32 * cc * cc + 6) / angle
+    rho = 6 / angle
     hi = (g - fe * h) / rho
     fiy = -(h / g)
-    s = c * (cc_by_4 - 3)
+    s = angle * (cc_by_4 - 3)
     f = 2 * (s * w)
     gy = f * h - g * g
     dH = -64 * cc
-    hy = 2 * dH / c + h / cc
+    hy = 2 * dH / angle + h / cc
     rhoy = rho / cc
     hiy = (gy - fiy * h - fe * hy - hi * rhoy) / rho
     return fe, hi, fiy, hiy
@@ -295,7 +287,7 @@ def _beyond(m: Any, x: Any, limit1: Any, cos1: Any, sin1: Any) -> Result:
     return beyond1, place, cos1, sin1
 
 
-# r = phi(alpha) and phi'
+# r = phi(alpha), phi', and the number by which alpha is known
 def _coefficient(m: Any, alpha: Any) -> Result:
     t = m.tan(alpha / 12)
     tt = t * t
@@ -305,20 +297,37 @@ def _coefficient(m: Any, alpha: Any) -> Result:
     sin = side * (2 * t / below)
     cos = side * further
     slope = cos / 6
-    return sin, slope
+    known = m.abs(further)
+    return sin, slope, known
 
 
-# r = phi(alpha) and phi', the sine and cosine of alpha/2 known but for their size
-def _coefficient_of(m: Any, alpha: Any, sine: Any, cosine: Any) -> Result:
-    t = m.tan(alpha / 12)
-    tt = t * t
-    below = 1 + tt
-    further = (1 - tt) / below
-    side = m.where(further < 0, -1, 1)
-    sin = side * (2 * t / below)
-    cos = side * further
-    slope = cos / 6
-    return sin, slope
+# factor of vec e on the branch nearest v, and the number by which alpha is known
+def _followed(m: Any, x: Any, along: Any, e0: Any, e1: Any, e2: Any, e3: Any, size: Any, turn: Any) -> Result:
+    ss = e1 * e1 + e2 * e2 + e3 * e3
+    still = ss == 0
+    resting = x == 0
+    length = m.sqrt(m.where(still, 1 + ss, ss)) + (ss - ss)
+    rv = m.sqrt(m.where(resting, 1 + x, x))
+    cv = m.sqrt(1 - x)
+    projected = m.where(resting, 0, 6 * m.atan2(rv, cv) / rv) * along / length
+    sine = m.where(still, ss, length)
+    falling = e0 < 0
+    cosine = m.where(falling, -e0, e0)
+    folded = m.where(falling, -2, 2) * m.atan2(sine, cosine)
+    turns = projected - folded + 2 * m.atan2(m.tan((folded - projected) / 2), 1)
+    alphan = folded + m.where(m.abs(turns) < 1, 0, turns)
+    tn = m.tan(alphan / 12)
+    ttn = tn * tn
+    belown = 1 + ttn
+    furthern = (1 - ttn) / belown
+    siden = m.where(furthern < 0, -1, 1)
+    sinn = siden * (2 * tn / belown)
+    cosn = siden * furthern
+    slopen = cosn / 6
+    z0s = m.where(still, e0, length)
+    factor = m.where(still, 2 * slopen / z0s, sinn / length)
+    knownn = m.abs(furthern)
+    return factor, knownn
 
 
 CHART = Chart(
@@ -340,10 +349,10 @@ CHART = Chart(
     functions=by_name(
         _quaternion_scalars, _pose_scalars, _tangent_scalars, _tangent_dot_scalars, _rate_scalars, _inverse_scalars,
         _inverse_at, _tangent_inv_at, _tangent_inv_scalars, _tangent_inv_dot_scalars, _ray, _gain, _inside, _direction,
-        _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _coefficient_of,
+        _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _followed,
     ),
     kernels=SHARED,
-    programs="7896ad8489b482ba",
+    programs="48b8285d316b1865",
     ends=True,
 )
 

@@ -30,26 +30,33 @@ class Number:
         raise TypeError("a recorded number has no truth value: select with m.where")
 
     def __add__(self, other: Any) -> Number:
-        return self.tape.enter(np.add, self, other)
+        return self if _is(other, 0) else self.tape.sum(self, other)
 
     def __sub__(self, other: Any) -> Number:
-        return self.tape.enter(np.subtract, self, other)
+        return self if _is(other, 0) else self.tape.difference(self, other)
 
     def __rsub__(self, other: Any) -> Number:
-        return self.tape.enter(np.subtract, other, self)
+        return -self if _is(other, 0) else self.tape.difference(other, self)
 
-    def __mul__(self, other: Any) -> Number:
-        return self if type(other) is int and other == 1 else self.tape.enter(np.multiply, self, other)
+    def __mul__(self, other: Any) -> Any:
+        if _is(other, 0):
+            return 0
+        if _is(other, -1):
+            return -self
+        return self if _is(other, 1) else self.tape.enter(np.multiply, self, other)
 
     def __truediv__(self, other: Any) -> Number:
+        if _is(other, 1):
+            return self
+        if self.tape.integer and type(other) is int and other & -other == other > 0:
+            return self.tape.enter(np.multiply, self, 1 / other)  # the same number, in less time
         return self.tape.enter(np.divide, self, other)
 
     def __rtruediv__(self, other: Any) -> Number:
         return self.tape.enter(np.divide, other, self)
 
     def __neg__(self) -> Number:
-        # a product has two operands as most calls have, which makes runs longer; complex zeros would lose their sign
-        return self.tape.enter(np.multiply, self, -1) if self.tape.integer else self.tape.enter(np.negative, self)
+        return self.tape.negative(self)
 
     def __lt__(self, other: Any) -> Number:
         return self.tape.compare(less, np.less, self, other)
@@ -73,6 +80,11 @@ class Number:
     __radd__, __rmul__, __rand__, __ror__, __hash__ = __add__, __mul__, __and__, __or__, object.__hash__
 
 
+def _is(operand: Any, integer: int) -> bool:
+    """Tell whether an operand is an integer constant: a + 0, 0 a, 1 a and a/1 need no operation."""
+    return type(operand) is int and operand == integer
+
+
 class Tape:
     """List of numbered entries: arguments, constants, operations. Methods are the functions that kernels call."""
 
@@ -82,6 +94,7 @@ class Tape:
         self.constants: dict[str, tuple[Number, Any]] = {}
         self.masks: set[int] = set()
         self._known: dict[Operation, Number] = {}
+        self._opposite: dict[int, Number] = {}
 
     def argument(self) -> Number:
         """Return a new entry for a component of an argument."""
@@ -96,6 +109,25 @@ class Tape:
             if mask:
                 self.masks.add(self._known[operation].index)
         return self._known[operation]
+
+    def negative(self, a: Number) -> Number:
+        """Return the entry of −a; its negative is a itself."""
+        if a.index in self._opposite:
+            return self._opposite[a.index]
+        # a product has two operands as most calls have, which makes runs longer; complex zeros would lose their sign
+        made = self.enter(np.multiply, a, -1) if self.integer else self.enter(np.negative, a)
+        self._opposite[made.index] = a
+        return made
+
+    def sum(self, a: Any, b: Any) -> Number:
+        """Return the entry of a + b; a negative operand is subtracted."""
+        opposite = self._opposite.get(self.index(b))
+        return self.enter(np.add, a, b) if opposite is None else self.enter(np.subtract, a, opposite)
+
+    def difference(self, a: Any, b: Any) -> Number:
+        """Return the entry of a − b; a negative operand is added."""
+        opposite = self._opposite.get(self.index(b))
+        return self.enter(np.subtract, a, b) if opposite is None else self.enter(np.add, a, opposite)
 
     def compare(self, on_bits: Function, on_booleans: Function, a: Any, b: Any) -> Number:
         """Return the entry of a comparison."""

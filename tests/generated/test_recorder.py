@@ -7,13 +7,14 @@ import signal
 import sys
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
+from types import ModuleType
 from typing import Any
 
 import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from dualcay import _kernel, _prepared, _program, _recorder, cayley3
+from dualcay import _kernel, _prepared, _program, _recorder, cayley1, cayley2, cayley3
 from dualcay._program import Program
 from dualcay._recorder import Number, record
 
@@ -148,10 +149,10 @@ def _agrees(seed: int) -> bool:
     choices = np.random.default_rng(seed).integers(0, 1 << 30, (60, 3))
 
     def text(m: Any, *values: Any) -> tuple[Any, ...]:
-        made = list(values)
+        made = [*values, 0, 1, -1]
         for kind, i, j in choices:
             a, b = made[i % len(made)], made[j % len(made)]
-            made.append([a + b, a - b, a * b, m.where(a < b, b, a), -a][kind % 5])
+            made.append([a + b, a - b, a * b, m.where(a < b, b, a), -a, a / 4][kind % 6])
         return tuple(made[-9:])
 
     arguments = np.random.default_rng(seed).normal(size=(4, 3))
@@ -159,6 +160,25 @@ def _agrees(seed: int) -> bool:
         expected = np.array(np.broadcast_arrays(*text(np, *arguments)))
         found = np.array(recorded(text, np.float64, *arguments, outputs=9))
     return bool(np.array_equal(found, expected, equal_nan=True))
+
+
+@pytest.mark.parametrize(("chart", "least"), [(cayley1, 1.4), (cayley2, 1.4), (cayley3, 1)])
+def test_integer_scalars_and_factors_of_a_chart_shorten_its_programs(
+    monkeypatch: pytest.MonkeyPatch, chart: ModuleType, least: float
+) -> None:
+    """Compare calls for rates and their Jacobians with those where 0 and 1 count as any number."""
+
+    def calls() -> int:
+        monkeypatch.setattr(chart.CHART, "_recorded", {})
+        programs = [chart.CHART.recorded(name, np.dtype(float), 0, (1, 0.5)[:count]) for name, count in RATES]
+        return sum(len(functions) for program in programs for functions, _ in program.runs)
+
+    present = calls()
+    monkeypatch.setattr(_recorder, "_is", lambda *_: False)
+    assert calls() > least * present
+
+
+RATES = (("rate", 2), ("rate_jacobian", 1))
 
 
 def test_recorded_number_has_no_truth_value() -> None:

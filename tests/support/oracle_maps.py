@@ -156,13 +156,18 @@ class Maps(FirstPrinciples):
         return (self.field.cos(length), *(self.field.sin(length) * c / length for c in half))
 
     def retract(self, v: Any, delta: Any, body: bool = False) -> np.ndarray:
-        """Return the new vector on the branch with the angle, along the new axis, nearest to the angle of v."""
+        """Return the new vector on the branch with the angle, along the new axis, nearest to the angle of v.
+
+        Of two branches, return the one that a step of at most half a turn leads to.
+        """
         here, small = self.unpack(v), self.step(self.unpack(delta))
         q = hamilton(self.unit(here), small) if body else hamilton(small, self.unit(here))
+        if self.order == 2 and small[0].re < 0:
+            q = tuple(-c for c in q)
         half, axis = self.half_screw(q)
         theta, own = self.half_screw((self.base(here), *here))
-        if axis is None:
-            return pack(self.on_branch(half, None, 0))
+        if axis is None or self.order == 2:
+            return pack(self.on_branch(half, axis, 0))
         along = 0 if own is None else self.order * theta.re * dot(own, axis).re
         turns = int(self.field.number(round(float((along - half.re) / self.field.pi))))
         return pack(self.on_branch(half, axis, turns))

@@ -80,7 +80,7 @@ class _Followed:
         whole = where(trace.less(trace.abs(turns), 1), 0, turns)  # a multiple of 2π, up to rounding
         still = name("still", trace.equal(sine, 0))
         angle = name("angle", where(still, sine, whole + 2 * half))
-        size, slope = trace.ask("coefficient", (angle,), "n")
+        size, slope, known = trace.ask("coefficient", (angle,), "n")
         # use the vector part even if its square underflows to 0
         least = 2 * slope / name("z0s", where(still, z.scalar, 1))
         turned = size / name("nosine", where(still, 1 + sine, sine))
@@ -90,5 +90,5 @@ class _Followed:
         pairs = zip(factor * z.vector, size * self.axis, strict=True)
         re = trace.vector("v_", trace.inside(Vector(*(where(clear, one, other) for one, other in pairs))))
         fi = name("fe", factor * z.scalar)
-        (hi,) = trace.ask("inverse_at", (Point(trace, (*re, 0, 0, 0), "w").x, fi, angle))
+        (hi,) = trace.ask("inverse_at", (Point(trace, (*re, 0, 0, 0), "w").x, fi, known))
         return (*re, *dual_part(trace, fi, hi, re, rho / 2))

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from ...algebra import Quaternion, Vector
-from ...maps.exponential import Exponential, PrincipalScalars
+from ...maps.exponential import Exponential, PrincipalScalars, StepScalars
 from ..programs.value import Number
 from .calculus import matrix6
 from .forward import tensor_at, translation
@@ -21,51 +21,36 @@ SCALARS = ("s", "w", "f", "g", "h", "fy", "gy", "hy")
 def retracted(
     trace: Geometry, scalars: Sequence[Number], delta: Sequence[Number], v: Sequence[Number], body: bool = False
 ) -> tuple[Vector, Number, Number, Vector]:
-    """Return the results of `nearest` for exp(δ) R(v) or, with `body`, R(v) exp(δ), and the product's ρ."""
+    """Return the results of `followed` for exp(δ) R(v) or, with `body`, R(v) exp(δ), and the product's ρ."""
     s, w, f, g, h = scalars
-    *large, _, f1, g1, r1, r2, r3 = trace.apply(displacement, "{}_1", v)
+    *large, size, f1, g1, r1, r2, r3 = trace.apply(displacement, "{}_1", v)
     small = (s, *(w * Vector(*delta[:3])))
     rho = translation(Point(trace, delta, "d"), f, g, h)
     space, back = (small, f, g, delta, rho, large, (r1, r2, r3)), (large, f1, g1, v, (r1, r2, r3), small, rho)
     found = trace.apply(composed, "{}", *(back if body else space))
-    *re, fe, angle = trace.apply(nearest, "{}", v[:3], found[:4])
+    *re, fe, angle = trace.apply(followed, "{}", v[:3], found[:4], size, s)
     return Vector(*re), fe, angle, Vector(*found[4:])
 
 
 def exponential_scalars(trace: Geometry) -> Results:
     """Scalars of exp(δ) at x = δ·δ: q̂ = s + w δ, f = 2 s w, g = 2 w², h, and slopes fy, gy, hy."""
     first, second, third = Point(trace, (*trace.real_vector("delta", "d"), 0, 0, 0)).squares
-    at = EXPONENTIAL.scalars(trace.name("x", first + second + third), trace)
+    at = StepScalars(trace.name("x", first + second + third), trace)
     return {name: getattr(at, name) for name in SCALARS}
 
 
-def nearest(trace: Geometry) -> Results:
-    """Vector ``factor · vec e = φ(α) u`` of a quaternion e, factor · e0, and α: the angle nearest v's along u."""
-    point = Point(trace, (*trace.real_vector("v"), 0, 0, 0))
+def followed(trace: Geometry) -> Results:
+    """Vector ``factor · vec e`` of a quaternion e on the branch nearest v, factor · e0, and the number of its angle.
+
+    The quaternion has a size; turn is the scalar part of the step.
+    """
+    v = trace.real_vector("v")
     e = Quaternion.from_components(trace.components("e", "e", 4))
-    ss = trace.name("ss", e.vector.dot(e.vector))
-    still, resting = trace.name("still", trace.equal(ss, 0)), trace.name("resting", trace.equal(point.x, 0))
-    # NaN where the square overflows
-    length = trace.name("length", trace.sqrt(trace.where(still, 1 + ss, ss)) + (ss - ss))
-    r = trace.name("r", trace.sqrt(trace.where(resting, 1 + point.x, point.x)))
-    (own,) = trace.ask("unfolded", (point.x, r))
-    share = trace.where(resting, 0, own / r)
-    along = trace.name("along", share * point.re.dot(e.vector) / length)
-    sine = trace.name("sine", trace.where(still, ss, length))
-    # an angle within half a turn has all digits near the identity, for both signs of e
-    falling = trace.name("falling", trace.less(e.scalar, 0))
-    cosine = trace.name("cosine", trace.where(falling, -e.scalar, e.scalar))
-    half = trace.atan2(sine, cosine)
-    angle = trace.name("folded", trace.where(falling, -2, 2) * half)
-    turn = trace.tan((angle - along) / 2)
-    turns = trace.name("turns", along - angle + 2 * trace.atan2(turn, 1))
-    # a multiple of 2π up to rounding; set to 0 on the principal branch, where rounding would spoil small angles
-    alpha = trace.name("alpha", angle + trace.where(trace.less(trace.abs(turns), 1), 0, turns))
-    size, slope = trace.ask("coefficient_of", (alpha, sine, e.scalar), "n")
-    rest = 2 * slope / trace.name("z0s", trace.where(still, e.scalar, length))
-    factor = trace.name("factor", trace.where(still, rest, size / length))
-    results = (*trace.inside(factor * e.vector), factor * e.scalar, alpha)
-    return dict(zip(("w1", "w2", "w3", "fe", "angle"), results, strict=True))
+    size, turn = trace.numbers("size", "turn")
+    along = trace.name("along", v.dot(e.vector))
+    factor, known = trace.ask("followed", (Point(trace, (*v, 0, 0, 0)).x, along, *e, size, turn))
+    results = (*trace.inside(factor * e.vector), factor * e.scalar, known)
+    return dict(zip(("w1", "w2", "w3", "fe", "known"), results, strict=True))
 
 
 def logarithm(trace: Geometry) -> Results:

@@ -49,8 +49,8 @@ FORMULAS: Mapping[str, tuple[str, str, tuple[str, ...]]] = {
     "reached": ("alpha reduced by whole turns to the range of the chart", "", ()),
     "turned": ("coefficient rk of the vector rk u on another branch of r u, drk/dr and d²rk/dr²", "", ()),
     "beyond": ("truth of x > limit, beyond the principal branch, x or the limit, and the turn back", "", ()),
-    "coefficient": ("`r = phi(alpha)` and phi'", "", ()),
-    "coefficient_of": ("`r = phi(alpha)` and phi', the sine and cosine of alpha/2 known but for their size", "", ()),
+    "coefficient": ("`r = phi(alpha)`, phi', and the number by which alpha is known", "", ()),
+    "followed": ("factor of vec e on the branch nearest v, and the number by which alpha is known", "", ()),
 }
 """Formulas by scalar program: for every chart, for order n, and the maps whose equations are cited.
 
@@ -67,7 +67,7 @@ def _at_x(chart: Chart, trace: Trace, *terms: Number) -> Any:
 
 
 def _at_angle(chart: Chart, trace: Trace, x: Number, fe: Number, angle: Number) -> Any:
-    return chart.at_angle(x, fe, angle, trace)
+    return chart.at_known(x, fe, angle, trace)
 
 
 @dataclass(frozen=True, slots=True)
@@ -95,6 +95,15 @@ def _gain(chart: Chart, trace: Trace, *e: Number) -> tuple[Number]:
 def _beyond(chart: Chart, trace: Trace, x: Number, *table: Number) -> tuple[Number, ...]:
     selected, place, turn = chart.beyond(x, table, trace)
     return selected, place, *turn
+
+
+def _coefficient(chart: Chart, trace: Trace, angle: Number) -> tuple[Number, ...]:
+    return *chart.coefficient(angle, trace), chart.known(angle, trace)
+
+
+def _followed(chart: Chart, trace: Trace, x: Number, along: Number, *e: Number) -> tuple[Number, ...]:
+    size, turn = e[4:]
+    return chart.followed(x, along, Quaternion.from_components(e[:4]), size, turn, trace)
 
 
 def _reached(chart: Chart, trace: Trace, angle: Number) -> tuple[Number]:
@@ -137,8 +146,8 @@ SCALARS: Mapping[str, Scalar] = {
     "reached": Scalar(("alpha",), ("within",), _reached),
     "turned": Scalar(("r", "cos", "sin"), ("rk", "slope", "bend"), lambda c, m, r, *turn: c.turned(r, turn, m)),
     "beyond": Scalar(("x", "table"), ("beyond", "place", "cosine", "sine"), _beyond, truths=("beyond",)),
-    "coefficient": Scalar(("alpha",), ("r", "slope"), lambda c, m, alpha: c.coefficient(alpha, m)),
-    "coefficient_of": Scalar(("alpha", "sine", "cosine"), ("r", "slope"), lambda c, m, *at: c.coefficient_of(*at, m)),
+    "coefficient": Scalar(("alpha",), ("r", "slope", "known"), _coefficient),
+    "followed": Scalar(("x", "along", *E, "size", "turn"), ("factor", "known"), _followed),
 }
 """Scalar programs by name; `Scalars.ray` defines a, b and size, and `Chart` defines turns and tables."""
 

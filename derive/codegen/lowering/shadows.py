@@ -170,7 +170,7 @@ def from_screw(trace: Geometry) -> Results:
     angle, distance = trace.inputs("angle", ("alpha", "alphao"))
     line = trace.point("line", "u")
     u, moment = line.v.re, line.v.du
-    size, slope = trace.ask("coefficient", (angle,))
+    size, slope, _ = trace.ask("coefficient", (angle,))
     every = trace.name("every", sum((distance, *line.components), start=angle))
     size, size_du = trace.name("size", size + (every - every)), trace.name("ro", distance * slope)
     return *trace.inside(size * u), *(size * moment + size_du * u)
@@ -191,7 +191,7 @@ def from_exponential(trace: Geometry) -> Results:
     point = trace.point("w")
     resting, square, length = _length(trace, point)
     (angle,) = trace.ask("reached", (trace.name("alpha", trace.where(resting, point.x, length)),))
-    size, slope = trace.ask("coefficient", (angle,), "n")
+    size, slope, _ = trace.ask("coefficient", (angle,), "n")
     share = trace.name("share", trace.where(resting, slope, size / length))
     return _inside(trace, _rescaled(trace, point, square, share, slope))
 

@@ -81,8 +81,16 @@ def _local(body: bool, chart: Vectors, branch: int, v2: Flat, v1: Flat) -> Flat:
 
 
 def _retract(body: bool, chart: Vectors, branch: int, v: Flat, delta: Flat) -> Flat:
-    """Return v of exp(δ) R(v), or R(v) exp(δ), at the angle nearest the projection of α u on the new axis."""
+    """Return v of exp(δ) R(v), or R(v) exp(δ).
+
+    Of two branches it is the one that a step of at most half a turn leads to; of more, the one with the angle nearest
+    the projection of α u on the new axis.
+    """
     small, here = _turning(mpmath.mp.prec, *delta), chart.quaternion(dual(v))
+    if chart.chart.branches == 2:
+        q = (here * small if body else small * here) * orientation(small.scalar.re)
+        length, u = polar(q.vector)
+        return flat(chart.at(Screw(2 * atan2(length, q.scalar), u)))
     q = here * small if body else small * here
     (length, u), (own, axis) = polar(q.vector), polar(dual(v))
     angle = 2 * atan2(length, q.scalar)

@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-from .._geometry import exponential_scalars, nearest
+from .._geometry import exponential_scalars
 from .._kernel import Components, Kernel, Result
 
 
@@ -442,7 +442,7 @@ def from_angle_axis(m: Any, c: Any, angle: Components, line: Components) -> Resu
     """Vector v = φ(α) u, in dual numbers."""
     alpha, = angle
     u1, u2, u3 = line
-    r, _ = c.coefficient(m, alpha)
+    r, _, _ = c.coefficient(m, alpha)
     every = alpha + u1 + u2 + u3
     size = r + (every - every)
     made1 = u1 * size
@@ -512,7 +512,7 @@ def from_exponential(m: Any, c: Any, w: Components) -> Result:
     length = m.sqrt(square) + (square - square)
     alpha = m.where(resting, x, length)
     within, = c.reached(m, alpha)
-    rn, slopen = c.coefficient(m, within)
+    rn, slopen, _ = c.coefficient(m, within)
     share = m.where(resting, slopen, rn / length)
     made1 = w1 * share
     made2 = w2 * share
@@ -678,13 +678,28 @@ def between_jacobians(m: Any, c: Any, v2: Components, v1: Components) -> Result:
     return *D1, -D211, -D212, -D213, -D221, -D222, -D223, -D231, -D232, -D233
 
 
+def followed(m: Any, c: Any, v: Components, e: Components, size: Any, turn: Any) -> Result:
+    """Vector ``factor · vec e`` of a quaternion e on the branch nearest v, factor · e0, and the number of its angle."""
+    v1, v2, v3 = v
+    e0, e1, e2, e3 = e
+    along = v1 * e1 + v2 * e2 + v3 * e3
+    x = v1 * v1 + v2 * v2 + v3 * v3
+    factor, known = c.followed(m, x, along, e0, e1, e2, e3, size, turn)
+    made1 = e1 * factor
+    made2 = e2 * factor
+    made3 = e3 * factor
+    xmade = made1 * made1 + made2 * made2 + made3 * made3
+    inside, = c.inside(m, xmade)
+    return made1 * inside, made2 * inside, made3 * inside, factor * e0, known
+
+
 def retract(m: Any, c: Any, v: Components, delta: Components) -> Result:
     """Vector of exp(δ) R(v), on the branch nearest v."""
     d1, d2, d3 = delta
     s, w, _, _, _, _, _, _ = exponential_scalars(m, delta)
-    e0_1, e1_1, e2_1, e3_1, _ = displacement(m, c, v)
+    e0_1, e1_1, e2_1, e3_1, size_1 = displacement(m, c, v)
     found_ = quaternion_product((s, d1 * w, d2 * w, d3 * w), (e0_1, e1_1, e2_1, e3_1))
-    w1, w2, w3, _, _ = nearest(m, c, v, found_)
+    w1, w2, w3, _, _ = followed(m, c, v, found_, size_1, s)
     return w1, w2, w3
 
 
@@ -692,9 +707,9 @@ def body_retract(m: Any, c: Any, v: Components, delta: Components) -> Result:
     """Vector of R(v) exp(δ), on the branch nearest v."""
     d1, d2, d3 = delta
     s, w, _, _, _, _, _, _ = exponential_scalars(m, delta)
-    e0_1, e1_1, e2_1, e3_1, _ = displacement(m, c, v)
+    e0_1, e1_1, e2_1, e3_1, size_1 = displacement(m, c, v)
     found_ = quaternion_product((e0_1, e1_1, e2_1, e3_1), (s, d1 * w, d2 * w, d3 * w))
-    w1, w2, w3, _, _ = nearest(m, c, v, found_)
+    w1, w2, w3, _, _ = followed(m, c, v, found_, size_1, s)
     return w1, w2, w3
 
 
@@ -702,11 +717,11 @@ def retract_jacobians(m: Any, c: Any, v: Components, delta: Components) -> Resul
     """Derivatives T(w)⁻¹ exp(δ) T(v) and T(w)⁻¹ dexp(δ) of w = retract(v, δ), by v and by δ."""
     d1, d2, d3 = delta
     s, w, f, g, h, _, _, _ = exponential_scalars(m, delta)
-    e0_1, e1_1, e2_1, e3_1, _ = displacement(m, c, v)
+    e0_1, e1_1, e2_1, e3_1, size_1 = displacement(m, c, v)
     found_ = quaternion_product((s, d1 * w, d2 * w, d3 * w), (e0_1, e1_1, e2_1, e3_1))
-    w1, w2, w3, fe, angle = nearest(m, c, v, found_)
+    w1, w2, w3, fe, known = followed(m, c, v, found_, size_1, s)
     x = w1 * w1 + w2 * w2 + w3 * w3
-    fi, hi, _, _ = c.tangent_inv_at(m, x, fe, angle)
+    fi, hi, _, _ = c.tangent_inv_at(m, x, fe, known)
     back = tangent_inverse_at(fi, hi, (w1, w2, w3))
     R = tensor_at(f, g, delta)
     T = tangent(m, c, v)
@@ -806,7 +821,7 @@ def interpolate(m: Any, c: Any, v1: Components, v2: Components, time: Components
     turns = alpha + m.where(apart, -2 * half1, gone - halft_by_2)
     still = sinet == 0
     angle = m.where(still, sinet, m.where(m.abs(turns) < 1, 0, turns) + halft_by_2)
-    rn, slopen = c.coefficient(m, angle)
+    rn, slopen, _ = c.coefficient(m, angle)
     z0s = m.where(still, e0, 1)
     nosine = m.where(still, 1 + sinet, sinet)
     factor = m.where(still, 2 * slopen / z0s, rn / nosine)

@@ -1152,6 +1152,7 @@ class RotationKernels(Kernels):
         r"""Return the vector after a step δ in the space frame: ``R(w) = exp(δ) R(v)``.
 
         w lies on the branch nearest v: the angles of w and v differ by at most π. Steps thus continue past half a turn.
+        For a step that turns by more than π it is the branch of the shorter way, a step with the same exp(δ).
 
         Parameters
         ----------
@@ -1494,6 +1495,7 @@ class RotationKernels(Kernels):
         r"""Return the vector after a step δ in the body frame: ``R(w) = R(v) exp(δ)``.
 
         w lies on the branch nearest v: the angles of w and v differ by at most π. Steps thus continue past half a turn.
+        For a step that turns by more than π it is the branch of the shorter way, a step with the same exp(δ).
 
         Parameters
         ----------

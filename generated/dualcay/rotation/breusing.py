@@ -22,7 +22,7 @@ from ._interface import RotationKernels
 
 ORDER = 2
 
-CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="02c9d11f3a6ab9df")
+CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="17f1d5fcf96c3266")
 
 KERNELS = RotationKernels(CHART)
 # the functions of this module are the methods of KERNELS

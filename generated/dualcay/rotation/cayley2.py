@@ -22,7 +22,7 @@ from ._interface import RotationKernels
 
 ORDER = 2
 
-CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="2fad298f956a4c62")
+CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="c5bb79ba195b5a54")
 
 KERNELS = RotationKernels(CHART)
 dcay = KERNELS.tangent

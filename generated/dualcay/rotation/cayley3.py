@@ -22,7 +22,7 @@ from ._interface import RotationKernels
 
 ORDER = 3
 
-CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="23749e9f00ea2ff2")
+CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="e7a5121298e57c4f")
 
 KERNELS = RotationKernels(CHART)
 dcay = KERNELS.tangent

@@ -22,7 +22,7 @@ from ._interface import RotationKernels
 
 ORDER = 8
 
-CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="11c43bb6e0b47c9d")
+CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="3c7f088446b164ed")
 
 KERNELS = RotationKernels(CHART)
 dcay = KERNELS.tangent

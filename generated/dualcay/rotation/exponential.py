@@ -22,7 +22,7 @@ from ._interface import RotationKernels
 
 ORDER = 1
 
-CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="0d26c660b3efbcc9")
+CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="af700eefe1de7084")
 
 KERNELS = RotationKernels(CHART)
 dexp = KERNELS.tangent

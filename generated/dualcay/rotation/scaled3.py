@@ -22,7 +22,7 @@ from ._interface import RotationKernels
 
 ORDER = 3
 
-CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="6e58e292acbe2ddd")
+CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="8e6158cd22992271")
 
 KERNELS = RotationKernels(CHART)
 # the functions of this module are the methods of KERNELS

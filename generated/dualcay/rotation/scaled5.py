@@ -22,7 +22,7 @@ from ._interface import RotationKernels
 
 ORDER = 5
 
-CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="5021e033111bdb1b")
+CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="69720d4f8d4efdbf")
 
 KERNELS = RotationKernels(CHART)
 # the functions of this module are the methods of KERNELS
