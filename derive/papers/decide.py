@@ -1,195 +1,316 @@
-"""Decision of an entry: refutation at points, proof at generic values, test of both sides of a condition."""
+"""Decision of an entry: one procedure for entries in Python and for claims of files.
+
+1. The claim is evaluated at points: short and wide numbers, special values, zeros of singular parts, related letters.
+2. A point where it fails refutes it. If it chooses branches and no domain is stated, a region is sought instead.
+3. Points without a value give the condition of a claim of a file; an entry in Python states its condition, and points
+   on both sides are tried.
+4. Generic values of an exact field prove it; otherwise the points are evidence.
+5. A correction is decided alike. Of a claim of a file, changes in one step that make it true are sought, or terms that
+   do not matter and constraints that it needs.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from contextlib import suppress
-from dataclasses import replace
-from functools import partial
-from itertools import product
-from typing import Any
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, field, replace
 
 from ..algebra.element import NotExactError
-from .claim import Claim, rate_depth
-from .conditions import branched
-from .equation import Entry, Reading, UndecidedError, faithful
-from .explore import Trial, counterexample, explore
-from .judge import ORDERS, Pairs, first_failure, steps_of
-from .language.environment import Env
-from .language.printed import Term, Trait, takes_apart, with_trait
-from .numbers.generic import Generic
-from .numbers.quantities import BRANCH, ORDER, SIGN
-from .probe import singular
+from ..algebra.mixed import MeaninglessError
+from .claim import ORDERS, Claim, Place, RefusedError, operators
+from .conditions import exclusions, plain
+from .equation import Entry, Reading, UndecidedError, require_complete
+from .language.operator_table import both, implies
+from .language.printed import Term, Trait, with_trait
+from .near import mended, needed, vacuous
+from .numbers.balls import BlurredError
+from .places import Probe, places
+from .proof import ContradictionError, proved
+from .regions import REGION_MIN, Region, branched, region
 from .result import Counterexample, Result, Status, Verdict
 from .sharp import is_sharp
+from .singular import ORDERED
+from .witness import outside_words, shown_at
 
-SHORT_DECIMALS = 1
-"""Decimals of the numbers in a counterexample, if the statement also fails at numbers this short."""
+POINTS_MIN = 6
+"""Least number of points at which a claim is called true."""
 
 
-def decide(paper: str, entry: Entry, lost: str, orders: Sequence[int] = ORDERS) -> Result:
-    """Return the result of an entry; ``paper`` is the paper's slug, ``lost`` the characters that its extraction lost.
+@dataclass
+class Outcome:
+    """Points at which a claim is true, is false, or has no value, and the number of those that did not tell."""
+
+    true: list[Place] = field(default_factory=list)
+    false: list[Place] = field(default_factory=list)
+    undefined: list[Place] = field(default_factory=list)
+    blurred: int = 0
+
+    @property
+    def points(self) -> int:
+        """Number of points that told."""
+        return len(self.true) + len(self.false) + len(self.undefined)
+
+    def add(self, truth: bool | None, place: Place) -> None:
+        """Add a point."""
+        (self.undefined if truth is None else self.true if truth else self.false).append(place)
+
+
+@dataclass(frozen=True)
+class Finding:
+    """Decision of one claim."""
+
+    status: Status
+    method: str
+    points: int = 0
+    certainty: str = ""
+    found: str = ""
+    cuts: str = ""
+    failing: Place | None = None  # where the claim is false
+    outside: Place | None = None  # where it has no value, or is on another branch
+    true: tuple[Place, ...] = ()
+
+    @property
+    def holds(self) -> bool:
+        return self.status in (Status.HOLDS, Status.HOLDS_IF)
+
+
+# ---- one claim --------------------------------------------------------------------------------------------------
+
+
+def decided(claim: Claim) -> Finding:
+    """Return the decision of a claim, without what makes it true or vacuous."""
+    try:
+        return _of_file(claim) if claim.entry.of_file else _in_python(claim)
+    except (RefusedError, ContradictionError) as error:
+        return Finding(Status.UNDECIDED, str(error))
+    except (MeaninglessError, NotExactError, RecursionError, OverflowError) as error:
+        return Finding(Status.UNDECIDED, f"it cannot be evaluated: {error}")
+
+
+def _tried(claim: Claim, found: Iterator[Place], enough: Callable[[Outcome], bool]) -> Outcome:
+    """Return the truth of a claim at points, until there are enough."""
+    outcome = Outcome()
+    for place in found:
+        try:
+            outcome.add(claim.truth(place), place)
+        except BlurredError:
+            outcome.blurred += 1
+        if enough(outcome):
+            break
+    return outcome
+
+
+def _of_file(claim: Claim) -> Finding:
+    """Return the decision of a claim whose condition is found."""
+    stated = claim.entry.claimed is not None
+    choosing = branched(*claim.parts) and ORDERED.isdisjoint(operators(claim.statement))
+    probe = Probe(claim)
+    at = _tried(claim, probe.all(), lambda outcome: bool(outcome.false) and not choosing)
+    if at.blurred and not at.points:
+        return Finding(Status.UNDECIDED, f"numbers at {at.blurred} points are too large or too uncertain to tell")
+    if at.points < POINTS_MIN and not at.false:
+        few = f"only {at.points} of the points tried" if at.points else "no point tried"
+        return Finding(Status.UNDECIDED, f"{few} {'in' if stated else 'outside'} the stated domain", at.points)
+    known = any(place.generic for place in (*at.true, *at.false)) or not any(p.generic for p in at.undefined)
+    if not known and not at.false:
+        return Finding(Status.UNDECIDED, f"it has no value at generic points, of {at.points} points in all", at.points)
+    within = None
+    cuts = f"{len(at.false)} of {len(at.true) + len(at.false)} points fail" if at.false else ""
+    if at.false:
+        if choosing and sum(place.generic for place in at.true) >= REGION_MIN:
+            within, sharp = region(claim, at.true, at.false)
+            cuts += f", all outside {within.words}" if within and sharp else ""
+        if within is None or stated:
+            cuts += f"; true where {_condition(probe, at, within)[0]}" if within else ""
+            method = f"refuted at {at.false[0].label}"
+            return Finding(Status.FALSE, method, at.points, "exact", cuts=cuts * choosing, failing=at.false[0])
+    condition, outside = _condition(probe, at, within)
+    ordered = not ORDERED.isdisjoint(operators(claim.statement))  # generic values tell nothing of an order
+    exact = None if at.false or ordered else proved(claim)
+    evidence = f"evidence: {at.points} points" + f", {at.blurred} more too close to tell" * bool(at.blurred)
+    certainty = "exact" if exact in ("exact", "exact, all n") else "evidence"
+    method = f"{exact}; {evidence}" if exact and certainty == "evidence" else exact or evidence
+    status = Status.HOLDS_IF if condition else Status.HOLDS
+    return Finding(status, method, at.points, certainty, condition, cuts, None, outside, tuple(at.true))
+
+
+def _condition(probe: Probe, at: Outcome, within: Region | None) -> tuple[str, Place | None]:
+    """Return the condition under which a claim is true, in words, and a point outside it."""
+    inside = [place for place in at.undefined if within is None or within.test(place)]
+    border = within is not None and any(within.test(place) is None for place in at.undefined)
+    found = exclusions(probe.claim, inside)
+    parts = [within.strict if border else within.words] if within else []
+    words = " and ".join(dict.fromkeys([*parts, *(plain(probe, requirement) for requirement in found)]))
+    return words, next(iter((*found.values(), *at.undefined, *at.false)), None)
+
+
+def _in_python(claim: Claim) -> Finding:
+    """Return the decision of a claim whose condition is stated; it must be true inside and not outside."""
+    entry, beyond = claim.entry, Outcome()
+
+    def inside() -> Iterator[Place]:
+        for place in places(claim):
+            if entry.condition is None or _truth(claim, entry.condition, place):
+                yield place
+            else:
+                beyond.add(_truth(claim, claim.statement, place), place)
+
+    at = _tried(claim, inside(), lambda outcome: bool(outcome.false or outcome.undefined))
+    if failing := (*at.false, *at.undefined):
+        value = "false" if at.false else "no value"
+        return Finding(Status.FALSE, f"refuted at {failing[0].label}: {value}", at.points, failing=failing[0])
+    if not at.points or (entry.condition is not None and not beyond.points):
+        sides = "both sides" if at.points else "the inside"
+        return Finding(Status.UNDECIDED, f"no point on {sides} of its domain")
+    if wrong := _contradicted(claim, beyond):
+        return Finding(Status.UNDECIDED, wrong)
+    method = _method(claim, proved(claim), at.points)
+    if beyond.true:
+        method += f"; also true at {beyond.true[0].label}"
+    status = Status.HOLDS if entry.condition is None else Status.HOLDS_IF
+    return Finding(status, method, at.points, true=tuple(at.true))
+
+
+def _truth(claim: Claim, statement: Term, place: Place) -> bool | None:
+    try:
+        return claim.truth(place, statement)
+    except BlurredError:
+        return None
+
+
+def _contradicted(claim: Claim, beyond: Outcome) -> str:
+    """Return how the points outside a stated condition contradict it, if they do.
+
+    The claim may be true outside if two letters are special. It has no value there if its divisors say so.
+    """
+    single = next((place for place in beyond.true if not place.pair), None)
+    if single is not None:
+        return f"true outside its condition, at {single.label}"
+    valued = (*beyond.true, *beyond.false)
+    if valued and claim.entry.condition is not None and is_sharp(claim.entry.condition, claim.statement):
+        return f"its form says no value, but there is one, at {valued[0].label}"
+    return ""
+
+
+def _method(claim: Claim, exact: str | None, points: int) -> str:
+    """Return the method in words. A delicate statement proved at generic values may fail at special ones."""
+    entry, tried = claim.entry, f"true at {points} points"
+    supported = ", with a supporting identity proved exactly" if entry.because not in (None, claim.statement) else ""
+    if exact is None and entry.argument:
+        return f"proved by the argument in {entry.argument} from identities proved exactly; {tried} besides"
+    if exact is None:
+        return f"evidence: {points} points{supported}"
+    if any(entry.free(part) for part in with_trait(Trait.DELICATE, claim.statement)):
+        return f"{exact} where symbols are generic, {tried}{supported}"
+    return f"{exact}{supported}"
+
+
+# ---- an entry ---------------------------------------------------------------------------------------------------
+
+
+def decide(
+    paper: str, entry: Entry, lost: str = "", orders: Sequence[int] = ORDERS,
+    early: Callable[[Result], None] = lambda result: None,
+) -> Result:  # fmt: skip
+    """Return the result of an entry.
+
+    Parameters
+    ----------
+    paper : str
+        Slug of the paper.
+    entry : Entry
+        Printed equation or claim.
+    lost : str, optional
+        Characters that the extraction of the paper's text lost.
+    orders : sequence of int, optional
+        Orders n at which statements about n are evaluated.
+    early : callable, optional
+        Function that receives the result before the search for changes, terms and constraints, which may take long.
 
     Raises
     ------
     UndecidedError
-        If the entry is incomplete, or the computation contradicts its condition, correction or claimed domain.
+        If an entry in Python is incomplete, or the computation contradicts its condition, correction or domain.
     """
-    _check(entry, lost + entry.lost)
+    require_complete(entry, lost + entry.lost)
     if entry.because is not None:
-        _support(entry, entry.because)
-    orders = tuple(n for n in orders if entry.orders is None or n in entry.orders) or (entry.orders or orders)
-    listed = tuple(judge(entry, reading, orders) for reading in entry.readings)
-    verdicts = tuple(sorted(listed, key=lambda verdict: not verdict.true))
-    first, truths = verdicts[0], {verdict.true for verdict in listed}
-    supported = any(r.supported_by and not v.true for r, v in zip(entry.readings, listed, strict=True))
-    decided = entry.corrected if entry.corrected is not None else first.statement
-    sharp = entry.condition is not None and is_sharp(entry.condition, decided)
-    result = partial(Result, paper, entry, verdicts=verdicts, exact=sharp)
-    if first.true and (supported or (not entry.extract and len(truths) > 1)):  # the text does not decide
-        return result(Status.AMBIGUOUS, "; ".join(verdict.method for verdict in verdicts))
-    if first.true:
-        return result(Status.HOLDS if entry.condition is None else Status.HOLDS_IF, first.method)
+        _support(entry, entry.because, orders)
+    claims = [_premised(Claim(entry, reading.statement, orders)) for reading in entry.readings]
+    found = [(claim, _settled(claim), reading) for claim, reading in zip(claims, entry.readings, strict=True)]
+    found.sort(key=lambda row: not row[1].holds)
+    (claim, finding, _), verdicts = found[0], tuple(_verdict(*row) for row in found)
+    status, method = finding.status, finding.method
+    if _is_ambiguous(entry, verdicts):
+        status, method = Status.AMBIGUOUS, "; ".join(verdict.method for verdict in verdicts)
+    elif status is Status.FALSE and (entry.corrected is not None or not entry.of_file):
+        status, method = _corrected(claim, finding)
+    decisive = claim.statement if entry.corrected is None else entry.corrected
+    result = Result(
+        paper, entry, status, method, verdicts, entry.condition is not None and is_sharp(entry.condition, decisive),
+        finding.certainty, finding.points, finding.found, _outside(claim, finding), cuts=finding.cuts,
+    )  # fmt: skip
+    early(result)
+    if not entry.of_file:
+        return result
+    if finding.holds:
+        return replace(result, vacuous=tuple(dict.fromkeys(vacuous(claim, finding.true))), needs=tuple(needed(claim)))
+    if status is not Status.FALSE:
+        return result
+    return replace(result, changes=tuple(mended(claim, finding.failing, lambda other: decided(other).holds)))
+
+
+def _settled(claim: Claim) -> Finding:
+    """Return the decision of a claim; an entry in Python that cannot be decided is a mistake of ours."""
+    finding = decided(claim)
+    if finding.status is Status.UNDECIDED and not claim.entry.of_file:
+        raise UndecidedError(f"({claim.entry.number}): {finding.method}")
+    return finding
+
+
+def _verdict(claim: Claim, finding: Finding, reading: Reading) -> Verdict:
+    example = None if finding.failing is None else shown_at(claim, finding.failing)
+    return Verdict(reading.statement, reading.note, finding.holds, finding.method, example)
+
+
+def _outside(claim: Claim, finding: Finding) -> Counterexample | None:
+    """Return the point outside the condition that was found."""
+    place = finding.outside
+    return None if place is None or not finding.holds else shown_at(claim, place, outside_words(claim, place))
+
+
+def _is_ambiguous(entry: Entry, verdicts: Sequence[Verdict]) -> bool:
+    """Return whether one reading is true, another false, and the text does not decide between them."""
+    true = {verdict.statement for verdict in verdicts if verdict.true}
+    supported = any(r.supported_by and r.statement not in true for r in entry.readings)
+    return bool(true) and (supported or (not entry.extract and len(true) < len(verdicts)))
+
+
+def _corrected(claim: Claim, finding: Finding) -> tuple[Status, str]:
+    """Return status and method of a false statement by its correction."""
+    entry = claim.entry
     if entry.corrected is None:
-        raise UndecidedError(f"({entry.number}) is false and has no correction: {first.method}")
-    correction = judge(entry, Reading(entry.corrected), orders)
-    if not correction.true:
+        raise UndecidedError(f"({entry.number}) is false and has no correction: {finding.method}")
+    correction = decided(claim.with_statement(entry.corrected))
+    if correction.holds:
+        return Status.ERRATUM, f"{finding.method}; correction {correction.method}"
+    if not entry.of_file:
         raise UndecidedError(f"({entry.number}): the correction is false: {correction.method}")
-    return result(Status.ERRATUM, f"{first.method}; correction {correction.method}")
+    return Status.FALSE, f"{finding.method}; the correction does not hold: {correction.method}"
 
 
-def _check(entry: Entry, lost: str) -> None:
-    """Raise if an entry lacks a part that another part needs, or does not agree with the extracted text."""
-    unfaithful = not all(faithful(reading.statement, entry.extract, lost) for reading in entry.readings)
-    mistakes = {
-        "an argument leads on from an identity that is proved": entry.argument and entry.because is None,
-        "rates are nested, which claims of files may do": any(rate_depth(r.statement) > 1 for r in entry.readings),
-        "a claimed domain and the words that state it come together": (entry.claimed is None) != (entry.stated is None),
-        f"a reading does not have the characters of line {entry.line}": entry.extract and unfaithful,
-        "an erratum shows the words of the paper": entry.corrected is not None and not (entry.extract or entry.said),
-        f"the correction is a reading of line {entry.line}":
-            entry.corrected is not None and entry.extract and faithful(entry.corrected, entry.extract, lost),
-    }
-    for mistake, made in mistakes.items():
-        if made:
-            raise UndecidedError(f"({entry.number}): {mistake}")
+def _premised(claim: Claim) -> Claim:
+    """Return the claim with the premise of an implication as part of the stated domain, of a file."""
+    while claim.entry.of_file and claim.statement.operator is implies:
+        premise, statement = claim.statement.arguments
+        claimed = premise if claim.entry.claimed is None else both(claim.entry.claimed, premise)
+        claim = replace(claim, entry=replace(claim.entry, claimed=claimed), statement=statement)
+    return claim
 
 
-def _support(entry: Entry, identity: Term) -> None:
+def _support(entry: Entry, identity: Term, orders: Sequence[int]) -> None:
     """Raise unless the supporting identity is proved; points where it is undefined are ignored."""
     moving = entry.moving or bool(with_trait(Trait.RATE, identity))
-    entry = replace(entry, condition=None, claimed=None, also=None, moving=moving)
-    refuted = next((o for o in explore(entry, identity, ORDERS) if o.truth is False), None)
-    if refuted is not None or prove(entry, identity, ORDERS) is None:
-        reason = "not exact" if refuted is None else f"false at {refuted.place}"
+    claim = Claim(replace(entry, condition=None, claimed=None, also=None, moving=moving), identity, orders)
+    at = _tried(claim, places(claim), lambda outcome: bool(outcome.false))
+    if at.false or proved(claim) is None:
+        reason = f"false at {at.false[0].label}" if at.false else "not exact"
         raise UndecidedError(f"({entry.number}): the supporting identity is not proved: {reason}")
-
-
-def judge(entry: Entry, reading: Reading, orders: Sequence[int]) -> Verdict:
-    """Return the verdict on one reading: evaluate it at points to refute it, then prove it exactly."""
-    verdict = partial(Verdict, reading.statement, reading.note)
-    trials = list(explore(entry, reading.statement, orders))
-    inside = [trial for trial in trials if trial.inside]
-    failed = next((trial for trial in inside if trial.truth is not True), None)
-    if failed is not None:
-        short = explore(entry, reading.statement, orders, SHORT_DECIMALS)
-        shown = next((trial for trial in short if trial.inside and trial.truth is False), failed)
-        return verdict(False, f"refuted at {failed.place}", counterexample(shown, entry, reading.statement))
-    if (refuted := _refuted(entry, reading.statement)) is not None:
-        return verdict(False, f"refuted at {refuted.point}", refuted)
-    outside = [trial for trial in trials if not trial.inside]
-    if not inside or (entry.condition is not None and not outside):
-        raise UndecidedError(f"({entry.number}): no point on {'both sides' if inside else 'the inside'} of its domain")
-    beyond = _beyond(entry, reading.statement, outside)
-    method = _method(entry, reading.statement, prove(entry, reading.statement, orders), len(inside))
-    return verdict(True, f"{method}; also true at {beyond.point}" if beyond else method)
-
-
-def _refuted(entry: Entry, statement: Term) -> Counterexample | None:
-    """Return a point at which a statement without definitions, domain or condition fails, as for claims of files."""
-    if entry.where or entry.also or entry.claimed is not None or entry.condition is not None:
-        return None
-    if not branched(statement) and next(singular(statement), None) is None:
-        return None  # a polynomial identity has no special place
-    return first_failure(Claim(entry, statement, lenient=True))
-
-
-def _beyond(entry: Entry, statement: Term, outside: Sequence[Trial]) -> Trial | None:
-    """Return the first trial outside the condition at which the statement is true, if any.
-
-    Raise if the condition is too strict: the statement is true outside it with fewer than two special symbols. Also
-    raise if the statement has a value outside a condition that its denominators show to be sharp.
-    """
-    for trial in outside:
-        if trial.truth is True and not trial.pair:
-            raise UndecidedError(f"({entry.number}): true outside its condition, at {trial.place}")
-        if trial.truth is not None and entry.condition is not None and is_sharp(entry.condition, statement):
-            raise UndecidedError(f"({entry.number}): its form says no value, but there is one, at {trial.place}")
-    return next((trial for trial in outside if trial.truth is True), None)
-
-
-def _method(entry: Entry, statement: Term, exact: str | None, points: int) -> str:
-    """Return the method in words. A delicate statement proved at generic values may fail at special ones."""
-    evidence = f"60-digit evaluation at {points} seeded points"
-    supported = ", with a supporting identity proved exactly" if entry.because not in (None, statement) else ""
-    if exact is None and entry.argument:
-        return f"proved by the argument in {entry.argument} from identities proved exactly; {evidence} besides"
-    if exact is None:
-        return f"evidence: {evidence}{supported}"
-    if any(entry.free(part) for part in with_trait(Trait.DELICATE, statement)):
-        return f"{exact} where symbols are generic, {evidence}{supported}"
-    return f"{exact}{supported}"
-
-
-def prove(entry: Entry, statement: Term, orders: Sequence[int], found: list[Pairs] | None = None) -> str | None:
-    """Prove a statement exactly; return the method, or None if no exact field suits its operations and domain.
-
-    If `found` is a list, fractions are not reduced, and it receives the pairs of equal numbers for each choice of
-    order, branch and sign.
-    Raise if the statement is false at generic values although it is true at all seeded points.
-    """
-    free = entry.free(statement)
-    order, branch, sign = (next((s for s in free if s.quantity is q), None) for q in (ORDER, BRANCH, SIGN))
-    # sort vectors whose magnitude occurs to the front: only the first vector has a rational magnitude
-    lengths = {symbol for part in with_trait(Trait.LENGTH, statement) for symbol in entry.free(part)}
-    generic = sorted((a for a in free if a not in (order, branch, sign)), key=lambda a: a not in lengths)
-    if order is not None and branch is None:
-        with suppress(NotExactError):
-            if _checked(entry, statement, Generic(generic, False, entry.moving, order=order), found):
-                return "exact, all n"
-    dual, checked = takes_apart(statement, *entry.definitions), False
-    try:
-        for n in orders if order is not None else (0,):
-            for k, plus_minus in product(range((entry.branches or n) if branch else 1), (1, -1) if sign else (1,)):
-                steps = 4 * n or steps_of(statement)
-                point = Generic(generic, dual, entry.moving, steps, framed=not entry.components)
-                if branch is not None:
-                    point.fix_branch(branch, k)
-                point.values |= {a: value for a, value in ((order, n), (sign, plus_minus)) if a is not None}
-                checked |= _checked(entry, statement, point, found)
-    except NotExactError:
-        return None
-    if not checked:
-        return None
-    return "exact" if order is None else f"exact, n = {', '.join(map(str, orders))}"
-
-
-def _checked(entry: Entry, statement: Term, point: Generic, found: list[Pairs] | None = None) -> bool:
-    """Return whether the generic values lie in the domain; if they do, raise unless the statement is true there."""
-    point.field.functions.lowest_terms = found is None
-    pairs: Pairs | None = None if found is None else []
-
-    def value(part: Term, pairs: Pairs | None = None) -> Any:
-        return Env(point.field, dict(point.values), entry.definitions, point.dual, point.moving, pairs).value(part)
-
-    try:
-        inside = all(value(part) for part in (entry.claimed, entry.condition) if part is not None)
-    except NotExactError:
-        inside = True
-    except ArithmeticError:
-        inside = False
-    if inside and not value(statement, pairs):
-        raise UndecidedError(f"({entry.number}): true at all points but false exactly")
-    if found is not None and inside:
-        found.append(pairs or [])
-    return inside

@@ -25,7 +25,7 @@ from typing import Any
 from ..output.typeset import Typeset
 from .language.claims import Abbreviation, contracted, expanded
 from .language.environment import Definition
-from .language.printed import Symbol, Term, latex, symbols, text, walk
+from .language.printed import Symbol, Term, latex, rate_depth, symbols, text, walk
 from .numbers.draw import Draw
 
 Points = Callable[[Draw], Mapping[str, Mapping[Symbol, Any]]]
@@ -79,6 +79,11 @@ class Entry(Typeset):
     abbreviations: Mapping[str, Abbreviation] = field(default_factory=dict, compare=False)  # definitions of its file
     at: str = ""  # place where a claim of a file is printed
     printed: str = ""  # LaTeX of a claim of a file, as printed
+
+    @property
+    def of_file(self) -> bool:
+        """Whether the entry is a claim of a file, whose condition is found; that of an entry in Python is stated."""
+        return self.written is not None
 
     @property
     def definitions(self) -> dict[Symbol, Definition]:
@@ -137,6 +142,25 @@ def faithful(reading: Term, extract: str, lost: str) -> bool:
     drop = str.maketrans("", "", lost + " ")
     left, right = (re.sub(r"~(\d+)", r"\1~", line.translate(drop)) for line in (text(reading), extract))
     return left == right
+
+
+def require_complete(entry: Entry, lost: str) -> None:
+    """Raise if an entry in Python lacks a part that another part needs, or does not agree with the extracted text."""
+    if entry.of_file:
+        return
+    unfaithful = not all(faithful(reading.statement, entry.extract, lost) for reading in entry.readings)
+    mistakes = {
+        "an argument leads on from an identity that is proved": entry.argument and entry.because is None,
+        "rates are nested, which claims of files may do": any(rate_depth(r.statement) > 1 for r in entry.readings),
+        "a claimed domain and the words that state it come together": (entry.claimed is None) != (entry.stated is None),
+        f"a reading does not have the characters of line {entry.line}": entry.extract and unfaithful,
+        "an erratum shows the words of the paper": entry.corrected is not None and not (entry.extract or entry.said),
+        f"the correction is a reading of line {entry.line}":
+            entry.corrected is not None and entry.extract and faithful(entry.corrected, entry.extract, lost),
+    }
+    for mistake, made in mistakes.items():
+        if made:
+            raise UndecidedError(f"({entry.number}): {mistake}")
 
 
 @dataclass(frozen=True)

@@ -160,7 +160,7 @@ def _receive(requests: queue.SimpleQueue[Any]) -> None:
 
 
 def _serve() -> None:
-    from .judge import judge_claim
+    from .decide import decide
 
     requests: queue.SimpleQueue[Any] = queue.SimpleQueue()
     answers, sys.stdout = sys.stdout.buffer, sys.stderr
@@ -179,7 +179,7 @@ def _serve() -> None:
             answers.flush()
 
         try:
-            result = judge_claim(slug, entry, answer)
+            result = decide(slug, entry, early=answer)
         except Exception as error:
             result = undecided(slug, entry, f"it cannot be evaluated: {type(error).__name__}: {error}")
         answer(result, True)

@@ -8,8 +8,6 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from typing import Any
 
-import mpmath
-
 from ...algebra import Dual, Tensor, Vector, dual_part, real_part
 from ...maps import pose, rodrigues
 from ..language import values
@@ -17,7 +15,7 @@ from ..language.common_definitions import component_of, plain, screw_tensor
 from ..language.environment import Definition, Env, let
 from ..language.printed import Symbol
 from ..numbers.draw import Draw
-from ..numbers.fields import Decimal60
+from ..numbers.kinds import drawn
 
 
 def components(vector: Symbol, real_parts: Iterable[Symbol], dual_parts: Iterable[Symbol]) -> tuple[Definition, ...]:
@@ -119,10 +117,9 @@ def crossing_lines(line: Symbol, axis: Symbol) -> Callable[[Draw], dict[str, dic
     """Return further points: a line at right angles to the axis that crosses it, and one that misses it."""
 
     def points(draw: Draw) -> dict[str, dict[Symbol, Any]]:
-        u, v = draw.unit(), draw.unit()
-        normal = u.cross(v)
-        crossing = normal / Decimal60().magnitude(normal)
-        passing = crossing + u * Dual(mpmath.mpf(0), draw.real())
+        frame = drawn("orthogonal tensor", draw)
+        u, crossing = Vector(*frame.rows[0]), Vector(*frame.rows[1])
+        passing = crossing + u * Dual(0, draw.real())
         return {"l_a crosses the axis": {axis: u, line: crossing}, "l_a passes the axis": {axis: u, line: passing}}
 
     return points

@@ -1,36 +1,34 @@
-"""Seeded numbers, vectors and quaternions of 60 digits."""
+"""Seeded values for further points of entries, by exact numbers; smooth functions and numbers with rates."""
 
 from __future__ import annotations
 
 import random
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from fractions import Fraction
 from functools import reduce
 from typing import Any
 
-import mpmath
-
 from ...algebra import Dual, Quaternion, Vector
-from .fields import Decimal60
+from .balls import Balls
 
 
 class Draw:
-    """Source of 60-digit numbers with `digits` random decimals, all determined by the seed.
+    """Source of short numbers, vectors and quaternions that the seed determines.
 
     Coefficients carry time derivatives if `moving`, as in `derive.papers.language.environment.Env`.
     """
 
-    def __init__(self, seed: str, moving: bool = False, digits: int = 30) -> None:
+    def __init__(self, seed: str, moving: bool = False) -> None:
         self.random = random.Random(seed)
         self.moving = moving
-        self.digits = digits
+        self.pi = Balls().pi
 
-    def real(self, low: float = 0.2, high: float = 0.9) -> Any:
+    def real(self) -> Fraction:
         """Return a positive number."""
-        scale = 10**self.digits
-        return mpmath.mpf(self.random.randint(int(low * scale), int(high * scale))) / scale
+        return Fraction(self.random.randint(2, 9), 10)
 
-    def signed(self) -> Any:
+    def signed(self) -> Fraction:
         """Return a number of either sign, away from 0."""
         return self.real() * self.random.choice((-1, 1))
 
@@ -40,15 +38,8 @@ class Draw:
 
     def plain(self, value: Any, slope: Any = 0) -> Any:
         """Return a coefficient, with the time derivative `slope` if symbols move."""
-        return Dual(mpmath.mpf(value), mpmath.mpf(slope)) if self.moving else mpmath.mpf(value)
-
-    def scalar(self, value: Any) -> Any:
-        """Return a real number; in motion with a random rate, and with dual part 0."""
-        return self.lifted(self.plain(value, self.signed())) if self.moving else value
-
-    def lifted(self, part: Any) -> Any:
-        """Return a real part as a number: in motion, with dual part 0."""
-        return Dual(part, 0 * part) if self.moving else part
+        value = Fraction(value) if isinstance(value, int) else value
+        return Dual(value, slope) if self.moving else value
 
     def number(self, re: Any, du: Any | None = None) -> Any:
         """Return a dual number with a random dual part by default; parts of moving symbols get random rates."""
@@ -72,8 +63,13 @@ class Draw:
 
     def quaternion(self, half_angle: Any) -> Quaternion:
         """Return a unit dual quaternion about a random screw axis; `half_angle` is the real part of its half angle."""
-        angle, field = self.number(mpmath.mpf(half_angle)), Decimal60()
+        angle, field = self.number(half_angle), Balls()
         return Quaternion(field.cos(angle), self.unit() * field.sin(angle))
+
+
+    def tangent(self, angle: Any) -> Any:
+        """Return the tangent of a number."""
+        return Balls().sin(angle) / Balls().cos(angle)
 
 
 def sphere(s: Any, t: Any) -> Vector:

@@ -9,12 +9,13 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from math import factorial
 from typing import Any
 
-from ...algebra import Dual, Quaternion, Tensor, Vector
+from ...algebra import Quaternion, Tensor, Vector
 from ...algebra.matrix import shaped
 from .balls import Balls, precision
-from .draw import Draw
+from .draw import Draw, polynomial
 from .quantities import QUANTITIES as QUANTITIES
 from .quantities import Quantity as Quantity
 from .quantities import Role
@@ -33,6 +34,8 @@ class Kind:
     special: Callable[[Any], Mapping[str, Numbers]] = lambda pi: {}  # coordinates by label
     dual: bool = False
     constant: bool = False  # whether rates are 0
+    forward: bool = False  # whether values of either sign are special, as in the two papers
+    still: bool = False  # whether coordinates have neither rates nor dual parts
     projective: bool = False
     spread: str = ""  # "positive" or "integer" coordinates
     free: str = ""  # kind without the constraint
@@ -113,7 +116,7 @@ def _opposite(c: Numbers) -> Numbers:
 
 
 _scalar = Kind(1, lambda c: c[0], _numbers)
-_angle = replace(_scalar, special=_angles)
+_angle = replace(_scalar, special=_angles, forward=True)
 _vector = Kind(3, lambda c: Vector(*c), _vectors)
 _unit = Kind(3, sphere, _axes, projective=True, free="real vector", needs="norm({0}) == 1", antipode=_opposite)
 _tensor = Kind(9, Tensor.from_entries, _tensors)
@@ -137,15 +140,31 @@ KINDS: dict[str, Kind] = {
     "tensor": replace(_tensor, dual=True), "quaternion": replace(_quaternion, dual=True),
     "orthogonal tensor": replace(_rotation, dual=True, free="tensor"),
     "unit quaternion": replace(_versor, dual=True, free="quaternion", needs="{0}*conjugate({0}) == 1"),
+    "argument": replace(_scalar, dual=True),
+    "scale": replace(_scalar, special=_rational(minus_one=(-1,)), dual=True, forward=True),
+    "smooth function": Kind(5, polynomial, lambda pi: {"exponential": [Fraction(1, factorial(k)) for k in range(70)]},
+                            still=True),
 }  # fmt: skip
 """Kinds by the name of a quantity."""
-KINDS |= {f"constant {name}": replace(kind, constant=True) for name, kind in KINDS.items()}
+KINDS |= {f"constant {name}": replace(kind, constant=True) for name, kind in KINDS.items() if not kind.still}
 
 
 def special(kind: Kind) -> dict[str, Numbers]:
     """Return the special coordinates of a kind by label."""
     with precision(SPECIAL_BITS):
         return dict(kind.special(Balls().pi))
+
+
+def drawn(name: str, draw: Draw) -> Any:
+    """Return a value of a kind by seeded coordinates."""
+    kind = KINDS[name]
+    signed = draw.real if kind.forward or kind.spread == "positive" else draw.signed
+    first = [1] * kind.projective
+
+    def coordinate() -> Any:
+        return draw.number(signed()) if kind.dual else draw.plain(signed(), 0 if kind.constant else draw.signed())
+
+    return kind.build([*first, *(coordinate() for _ in range(kind.size - len(first)))])
 
 
 def _exact(kind: Kind) -> Callable[[Any, str], Any]:
@@ -157,27 +176,14 @@ def _exact(kind: Kind) -> Callable[[Any, str], Any]:
     return value
 
 
-def _drawn(kind: Kind) -> Callable[[Draw], Any]:
-    def coordinate(draw: Draw) -> Any:
-        value = draw.real() if kind.spread == "positive" else draw.signed()
-        if kind.spread == "integer":
-            return draw.random.randint(-5, 9)
-        if not kind.constant:
-            return draw.number(value) if kind.dual else draw.scalar(value)
-        return Dual(draw.plain(value), draw.plain(draw.signed())) if kind.dual else draw.lifted(draw.plain(value))
-
-    first = [1] * kind.projective
-    return lambda draw: kind.build([*first, *(coordinate(draw) for _ in range(kind.size - len(first)))])
-
-
 def _row(name: str, kind: Kind) -> Quantity:
     """Return the row of a kind in the table of quantities; a row that is there only gains the value without a frame."""
     plain = QUANTITIES.get(name.removeprefix("constant "))
     if plain and not kind.constant:
-        return replace(plain, built=_exact(kind))
+        return plain if plain.name == "smooth function" else replace(plain, built=_exact(kind))
     role = plain.role if plain else Role.TENSOR if kind.size > 1 else None
     exact = plain.exact if plain and role is Role.ANGLE else _exact(kind)
-    return Quantity(name, _drawn(kind), size=kind.size, exact=exact, built=exact, role=role, apart=not kind.dual)
+    return Quantity(name, kind.size, exact, exact, role, apart=not kind.dual)
 
 
 QUANTITIES |= {name: _row(name, kind) for name, kind in KINDS.items()}

@@ -2,23 +2,23 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 
-from derive.papers.equation import equation
-from derive.papers.judge import judge_claim
-from derive.papers.language.claims import Scope, statement
-from derive.papers.language.kinds import letter
+from derive.papers.decide import decide
 from derive.papers.numbers.balls import Ball, Balls, BlurredError, arb, flint, precision
 from derive.papers.result import Result
+from derive.papers.sheet import claim_alone
 
 V, VW, X, A, R = {"v": "vector"}, {"v": "vector", "w": "vector"}, {"x": "real"}, {"a": "angle"}, {"R": "rotation"}
 
 
 def judged(text: str, letters: dict[str, str], domain: str = "", corrected: str = "") -> Result:
-    scope = Scope({name: letter(name, kind) for name, kind in letters.items()})
-    parts = {"claimed": domain, "corrected": corrected}
-    rest = {name: statement(part, scope) for name, part in parts.items() if part}
-    return judge_claim("sheet", equation("1", "a claim", 0, statement(text, scope), **rest))
+    (entry,) = claim_alone(text, letters, domain).entries()
+    if corrected:
+        entry = replace(entry, corrected=claim_alone(corrected, letters).entries()[0].readings[0].statement)
+    return decide("sheet", entry)
 
 
 POSITIVE, TENSORS = {"x": "positive", "y": "positive"}, {"A": "tensor", "B": "tensor"}
@@ -71,7 +71,7 @@ CONDITIONS = [
     ("atan2(sin(a)*cos(b), cos(a)*cos(b)) == a", {"b": "angle", **A}, "cos(b) > 0 and norm(a) < pi"),
 ]  # fmt: skip
 DOMAINS = [
-    ("sqrt((4 - x)**2) == 4 - x", X, "x <= 4", "holds"), ("sqrt((4 - x)**2) == 4 - x", X, "x <= 5", "holds-if"),
+    ("sqrt((4 - x)**2) == 4 - x", X, "x <= 4", "holds"), ("sqrt((4 - x)**2) == 4 - x", X, "x <= 5", "false"),
     ("norm(q*v*conjugate(q))**2 == norm(v)**2", {"q": "quaternion", **V}, "norm(q) == 1", "holds"),
     ("cross(v, cross(v, w)) == -w", VW, "dot(v, w) == 0 and dot(v, v) == 1", "holds"),
     ("dot(v, rate(v)) == 0", V, "norm(v) == 1", "holds"), ("x == x", X, "x > 1 and x < 0", "undecided"),
@@ -154,7 +154,7 @@ def test_integrals_over_a_kink_are_not_decided(body: str) -> None:
 
 def test_status_is_known_before_the_changes() -> None:
     found: list[Result] = []
-    judge_claim("sheet", equation("1", "a claim", 0, statement("1 == 2", Scope({}))), found.append)
+    decide("sheet", claim_alone("1 == 2", {}).entries()[0], early=found.append)
     assert (str(found[0].status), found[0].changes) == ("false", ())
 
 

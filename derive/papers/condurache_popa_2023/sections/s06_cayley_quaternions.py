@@ -2,8 +2,6 @@
 
 from typing import Any
 
-import mpmath
-
 from ....algebra import real_part
 from ..definitions import motions
 from ..definitions.orders import at_order, cayley, composed, image_is, quaternion_map
@@ -75,7 +73,7 @@ ENTRIES = (
     equation("38-domain", "where the modified Rodrigues dual vector exists", 200,
              iff(no_full_turn, defined(tan(alpha / 4) * u)), said="The results for R e α _ 2 k π",
              corrected=iff(unequal(Re(alpha), (4 * k + 2) * pi, k), defined(tan(alpha / 4) * u)),
-             also=lambda draw: {"real part 6π": {alpha: draw.number(6 * mpmath.pi)}},
+             also=lambda draw: {"real part 6π": {alpha: draw.number(6 * draw.pi)}},
              remark="Multiples of 4π are not singular: there the displacement is a translation and Re σ = 0."),
     equation("39", "composition of two displacements, n = 2", 205, equal(sigma, (q - 1) / (q + 1)),
              extract="σ _ = q ^ _ 1 q ^ _ + 1", where=COMPOSED, condition=nonzero(Re(q + 1)), also=back_to_back),

@@ -1,7 +1,5 @@
 """Section 9, explicit formulas for orders 1 to 5: lines 417-456."""
 
-import mpmath
-
 from . import *
 from .s07_general_order import *
 from .s07b_order_lists import Order, o1, o2, o3, o4, o5, p4, p5, q4, q5, x2
@@ -88,7 +86,7 @@ ENTRIES = (
              p5_printed / (2 * q5) * I - half * V + (45 - 16 * x + x2) / (10 * q5) * VV,
              "d c a y 5 1 = 1 10 v _ 2 + v _ 4 2 5 10 v _ 2 + v _ 4 I _ 1 2 v _ ~ + 45 16 v _ 2 + v _ 4 "
              "10 5 10 v _ 2 + v _ 4 v _ v _", condition=nonzero(Re(q5)),
-             also=lambda draw: {"Re q₅ = 0": {v: draw.unit() * mpmath.tan(mpmath.pi / 5)}},
+             also=lambda draw: {"Re q₅ = 0": {v: draw.unit() * draw.tangent(draw.pi / 5)}},
              corrected=equal(o5.dcay_inv, p5 / (2 * q5) * I - half * V + (45 - 34 * x + x2) / (10 * q5) * VV),
              remark="Contradicts (89) at n = 5 in the factors of I and v ⊗ v, and (121) in p₅."),
 )

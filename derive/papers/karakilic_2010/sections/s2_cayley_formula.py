@@ -2,7 +2,7 @@
 
 from ....algebra import Tensor
 from ....maps import rodrigues
-from ...numbers.quantities import QUANTITIES
+from ...numbers.kinds import drawn
 from .. import k10_definitions as k10
 from . import *
 
@@ -20,7 +20,7 @@ no_half_turn = nonzero(Re(det(A + I)))
 
 def reflections(draw: Draw) -> dict[str, dict[Symbol, object]]:
     """Return an orthogonal tensor with determinant −1."""
-    return {"reflection": {A: -QUANTITIES["orthogonal tensor"].generic(draw)}}
+    return {"reflection": {A: -drawn("orthogonal tensor", draw)}}
 
 
 z_i, z_j = component(z, i), component(z, j)

@@ -129,7 +129,8 @@ SOLVED = (
              stated=(219, "If one or two of them are equal to zero"),
              said="If one or two of them are equal to zero then one can obtain the solutions of b_i^* 's from (14), "
                   "(15), (16).",
-             because=equal(det(identity - dyad(turn, turn)), 0), corrected=equal(b_, T * s_ + slope * s),
+             because=equal(det(identity - dyad(turn, turn)), 0),
+             corrected=implies(forward, equal(b_, T * s_ + slope * s)),
              remark="(14)-(16) are (I − s ⊗ s) b* = Tan f/2 s*, a singular system: they leave b* free along s. With "
              "(6) they have one solution, the same as for other s."),
     relation("denominators", "the denominators of (14)-(16)", 219,
