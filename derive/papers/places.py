@@ -266,17 +266,30 @@ class Probe:
         """Yield a point where a part of several letters vanishes: between unlike signs, or where it touches 0."""
         shown = f"{written(self.claim.entry.contracted(part.part))} = 0"
         claim = self.claim.with_statement(part.part)
+        drawn = (Place("", self.drawn(low, high)) for _, low, high in REGIMES[:3] * 3)
         ends: dict[bool, Place] = {}
-        for _, low, high in REGIMES[:3] * 3:
-            place = Place("", self.drawn(low, high))
+        for place in chain(drawn, islice(self._special(), FEW)):
             with suppress(*ABSENT):
                 ends.setdefault(bool(part.number(claim, place) > 0), place)
-        found = crossed(claim, part, ends[False], ends[True]) if len(ends) == 2 else None
-        if found is None:
-            tries = (Place("", self.drawn(low, high)) for low, high in ((0.5, 1.5), (1, 5)))
-            found = next((p for start in tries if (p := touching(claim, start, part.part, part.size))), None)
+            if len(ends) == 2:
+                break
+        found: Place | None = None
+        for start in (Place("", self.drawn(low, high)) for low, high in ((0.5, 1.5), (1, 5))):
+            if len(ends) < 2 and found is None:
+                found = self._allowed(touching(claim, start, part.part, part.size))
+                with suppress(*ABSENT):
+                    if found is not None and part.number(claim, start) * part.number(claim, found) < 0:
+                        yield replace(found, label=f"beyond {shown}")
+                        ends, found = {False: start, True: found}, None
+        if len(ends) == 2:
+            found = crossed(claim, part, ends[False], ends[True])
         if found is not None:
             yield replace(found, label=shown, on=shown)
+
+    def _allowed(self, place: Place | None) -> Place | None:
+        """Return a point unless a coordinate of a positive letter is not."""
+        positive = [a for a in self.claim.coordinates if kind(a).spread == "positive"]
+        return None if place is None or any(c <= 0 for a in positive for c in place.at[a]) else place
 
     def roots_along(self, part: Term, letter: Symbol) -> tuple[str, list[float]] | None:
         """Return the name of a letter's value and the values at which a part vanishes, if they are those of a line."""

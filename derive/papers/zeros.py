@@ -174,7 +174,7 @@ def crossed(claim: Claim, part: Singular, one: Place, other: Place) -> Place | N
 
     def at(t: Any) -> Place:
         mixed = {a: [(1 - t) * c + t * d for c, d in zip(one.at[a], other.at[a], strict=True)]
-                 for a in claim.coordinates}  # fmt: skip
+                 for a in claim.coordinates if kind(a).spread != "integer"}  # fmt: skip
         return replace(one, at={**one.at, **mixed})
 
     def value(t: Any) -> Any:

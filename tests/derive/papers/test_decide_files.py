@@ -40,7 +40,8 @@ HOLDS = [
     ("re(rate(a)) == rate(re(a))", {"a": "dual number"}), ("rate(T)*inverse(T) == -T*rate(inverse(T))", {"T": "pose"}),
     ("sin(a + b) == sin(a)*cos(b) + cos(a)*sin(b)", {"a": "angle", "b": "angle"}),
     ("vect(rate(exp(skew(v)))*transpose(exp(skew(v)))) == dexp(v)*rate(v)", V),
-    ("sqrt(x*y) == sqrt(x)*sqrt(y)", POSITIVE), ("floor(n/2) + floor((n + 1)/2) == n", {"n": "integer"}),
+    ("sqrt(x*y) == sqrt(x)*sqrt(y)", POSITIVE),
+    ("log(x*y) == log(x) + log(y)", POSITIVE), ("floor(n/2) + floor((n + 1)/2) == n", {"n": "integer"}),
     ("norm(v + w) <= norm(v) + norm(w)", VW), ("left_jacobian(exp(xi), xi)*xi == xi", {"xi": "twist"}),
     ("T*exp(xi)*inverse(T) == exp(adjoint(T)*xi)", {"T": "pose", "xi": "twist"}),
 ]  # fmt: skip
@@ -52,6 +53,9 @@ FALSE = [
     *((f"({f})**2 > 0", letters) for f, letters in MEETING[2:4]),
     ("k**2 - k + 41 != 1681", {"k": "order"}), ("(k - 31)**2 > 0", {"k": "integer"}), ("x != 10**20", X),
     ("norm(n + R*m) < 2", {"n": "unit vector", "m": "unit vector", **R}),
+    ("tan(x) != 1000", X), ("1/x != 1/4096", X), ("x*y != 1000", {"y": "real", **X}), ("trace(R) != 5/2", R),
+    ("k != 5000", {"k": "integer"}), ("x**2 < 10**40", X), ("(x - 7/3)**2 > 1/10**8", X),
+    ("(x - 7/3)**2 + (y - 1/7)**2 > 1/10**6", {"y": "real", **X}), ("s + 1/s > 2", {"s": "positive"}),
     ("log(R*S) == log(R) + log(S)", {"S": "rotation", **R}), ("sqrt(x**2) == norm(x) + 1/1000000", X),
 ]  # fmt: skip
 CONDITIONS = [
@@ -79,6 +83,10 @@ DOMAINS = [
     ("R*skew(v)*transpose(R) == skew(R*v)", OF_TENSOR, "R*transpose(R) == I", "false"),
     ("norm(v + w)**2 == norm(v)**2 - norm(w)**2", VW, "dot(v, w) == 0", "false"),
     ("norm(v)*norm(w)/dot(v, w) == 1", VW, "v == 2*w", "holds-if"),
+    ("x/norm(x) == 1", X, "x != 0", "false"), ("x/norm(x) == 1", X, "x > 0", "holds"),
+    ("atan2(y, x) == atan(y/x)", {"y": "real", **X}, "x != 0", "false"),
+    ("implies(x > -1, sqrt(x**2) == x)", X, "", "false"),
+    ("log(exp(skew(v))) == skew(v)", V, "norm(v) <= pi", "holds-if"),
     ("1/x*x == 1", X, "0 < x and x < 1/1000", "holds"), ("sin(a)/cos(a) == tan(a)", A, "norm(a) < 2", "holds-if"),
     ("sin(a)/cos(a) == tan(a)", A, "norm(a) < 1", "holds"),
 ]  # fmt: skip
@@ -159,6 +167,7 @@ def test_status_is_known_before_the_changes() -> None:
 
 
 def test_failures_on_other_branches_are_counted() -> None:
+    assert judged("x/norm(x) == 1", X, "x != 0").cuts.endswith("points fail, all outside x >= 0; true where x >= 0")
     assert judged("atan(tan(a)) == a", A).cuts.endswith("points fail, all outside norm(a) <= pi/2")
 
 
