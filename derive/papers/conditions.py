@@ -45,7 +45,7 @@ def fault(env: Env, node: Term) -> Exclusion | None:
         return Exclusion(_factor(env, arguments[0]), "!= 0")
     if name == "norm":
         return Exclusion(Re(*arguments) if env.dual else node, "!= 0")
-    if name == "root" or name == "K10 power 1/2":
+    if name == "root":
         return Exclusion(arguments[0], ">= 0")
     if name == "log":
         value = env.value(arguments[0])

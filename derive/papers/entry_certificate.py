@@ -9,8 +9,9 @@ from ..algebra.element import Element
 from ..proof.certificate import Certificate, part
 from ..proof.identity import Sides
 from .claim import ORDERS, Claim
+from .equation import Entry
 from .language import operator_table
-from .language.printed import Apply, Term, text
+from .language.printed import Apply, Symbol, Term, text
 from .language.written import written
 from .proof import Pairs, proved
 from .result import Result, Status
@@ -44,9 +45,15 @@ def certificate(result: Result, orders: Sequence[int] = ORDERS) -> Certificate |
         "status": "proved",
         "method": "both sides evaluated at generic values, fractions not reduced",
         "claims": [claim],
-        "premises": [{"text": f"{d.symbol.name} as defined in derive.maps", "by": "definition"} for d in entry.where],
+        "premises": [{"text": _defined(entry, d.symbol), "by": "definition"} for d in entry.where],
         "parts": [part([(claim, _sides(*pair)) for pair in pairs]) for pairs in pairs if pairs],
     }
+
+
+def _defined(entry: Entry, symbol: Symbol) -> str:
+    """Return the definition of a symbol as its file gives it, or the place of one in Python."""
+    found = entry.abbreviations.get(str(symbol.args[3]))
+    return f"{found.head} = {found.text}" if found else f"{symbol.name} as defined in derive.maps"
 
 
 def _only_equations(statement: Term) -> bool:

@@ -18,7 +18,7 @@ from .numbers.fields import innermost
 from .places import Probe
 
 BRANCHED = frozenset((
-    "root", "acos", "asin", "arctan", "atan2 of two", "log", "norm", "floor of number", "K10 length", "K10 power 1/2",
+    "root", "acos", "asin", "arctan", "atan2 of two", "log", "norm", "floor of number",
 ))  # fmt: skip
 """Operators that choose a branch or a sign."""
 REGION_MIN = 3

@@ -18,7 +18,7 @@ from dataclasses import fields
 from typing import Any
 
 from ..workers import cores
-from .equation import Entry
+from .equation import Entry, UndecidedError
 from .numbers.balls import flint
 from .result import Result, Status, Verdict
 from .sheet import Sheet
@@ -179,7 +179,9 @@ def _serve() -> None:
             answers.flush()
 
         try:
-            result = decide(slug, entry, early=answer)
+            result = decide(slug, entry, sheet.lost, early=answer)
+        except UndecidedError as error:
+            result = undecided(slug, entry, str(error))
         except Exception as error:
             result = undecided(slug, entry, f"it cannot be evaluated: {type(error).__name__}: {error}")
         answer(result, True)

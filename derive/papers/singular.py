@@ -63,7 +63,7 @@ def singular(*statements: Term) -> Iterator[Singular]:
             exponent = arguments[1]
             if name == "over" or not (isinstance(exponent, Number) and exponent.value >= 0):
                 part = bare(arguments[1 if name == "over" else 0])
-        elif name in ("inverse", "root", "norm", "atan2 of two", "K10 length"):
+        elif name in ("inverse", "root", "norm", "atan2 of two"):
             part = bare(arguments[0]) if name == "root" else arguments[0]
         elif name == "log":
             part, number = arguments[0], _half_turn

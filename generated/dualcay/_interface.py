@@ -89,8 +89,7 @@ class PoseKernels(Kernels):
         ----------
         v : array, shape (..., 6)
             Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
         scalar_first : bool
             True for the scalar first in each half, False for the scalar last in each half.
 
@@ -122,8 +121,7 @@ class PoseKernels(Kernels):
         ----------
         v : array, shape (..., 6)
             Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -150,8 +148,7 @@ class PoseKernels(Kernels):
         ----------
         v : array, shape (..., 6)
             Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -181,8 +178,7 @@ class PoseKernels(Kernels):
             Complex T is a TypeError.
         branch : int
             k of ``φ(α + 2kπ) u``, modulo the number of branches; 0 is principal. Anything else is a TypeError.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
         check : bool or float
             Largest violation allowed, otherwise ValueError; True is sqrt(eps) of the array type. NaN is refused too.
 
@@ -263,8 +259,7 @@ class PoseKernels(Kernels):
             Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
         line : array, shape (..., 6)
             Plücker coordinates: direction, then moment about the space origin.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -318,8 +313,7 @@ class PoseKernels(Kernels):
         line : array, shape (..., 6)
             Axis, a unit dual vector: unit direction, then moment about the origin (perpendicular to it).
             Complex numbers are a TypeError.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
         check : bool or float
             Largest violation allowed, otherwise ValueError; True is sqrt(eps) of the array type. NaN is refused too.
 
@@ -385,8 +379,7 @@ class PoseKernels(Kernels):
             NaN or infinity in any component, or zero, gives NaN. Complex q is a TypeError.
         branch : int
             k of ``φ(α + 2kπ) u``, modulo the number of branches; 0 is principal. Anything else is a TypeError.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
         check : bool or float
             Largest violation allowed, otherwise ValueError; True is sqrt(eps) of the array type. NaN is refused too.
         scalar_first : bool
@@ -424,8 +417,7 @@ class PoseKernels(Kernels):
             Errors are first order in a violation of orthogonality. Complex R is a TypeError.
         branch : int
             k of ``φ(α + 2kπ) u``, modulo the number of branches; 0 is principal. Anything else is a TypeError.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
         check : bool or float
             Largest violation allowed, otherwise ValueError; True is sqrt(eps) of the array type. NaN is refused too.
 
@@ -486,8 +478,7 @@ class PoseKernels(Kernels):
         ----------
         v : array, shape (..., 6)
             Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -512,8 +503,7 @@ class PoseKernels(Kernels):
             Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
         r : array, shape (..., 3)
             Point (length unit of the pose).
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -568,8 +558,7 @@ class PoseKernels(Kernels):
         ----------
         v : array, shape (..., 6)
             Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -596,8 +585,7 @@ class PoseKernels(Kernels):
         ----------
         v : array, shape (..., 6)
             Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -620,8 +608,7 @@ class PoseKernels(Kernels):
         ----------
         v : array, shape (..., 6)
             Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -644,8 +631,7 @@ class PoseKernels(Kernels):
         ----------
         v : array, shape (..., 6)
             Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -668,8 +654,7 @@ class PoseKernels(Kernels):
         ----------
         v : array, shape (..., 6)
             Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -701,8 +686,7 @@ class PoseKernels(Kernels):
             Complex v is a TypeError.
         branch : int
             k, modulo the number of branches; anything else is a TypeError.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -730,8 +714,7 @@ class PoseKernels(Kernels):
             Complex v is a TypeError.
         branch : int
             k, modulo the number of branches; anything else is a TypeError.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -756,8 +739,7 @@ class PoseKernels(Kernels):
         v : array, shape (..., 6)
             Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
             Complex v is a TypeError.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -781,8 +763,7 @@ class PoseKernels(Kernels):
         v : array, shape (..., 6)
             Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
             Complex v is a TypeError.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -805,8 +786,7 @@ class PoseKernels(Kernels):
         v : array, shape (..., 6)
             Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
             Complex v is a TypeError.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -864,8 +844,7 @@ class PoseKernels(Kernels):
         w : array, shape (..., 6)
             Exponential coordinates: rotation vector (rad), then dual part (length unit of the pose).
             Complex w is a TypeError.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -891,8 +870,7 @@ class PoseKernels(Kernels):
         ----------
         v2, v1 : array, shape (..., 6)
             Vectors of the chart: real part, then dual part. Complex numbers are a TypeError.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -916,8 +894,7 @@ class PoseKernels(Kernels):
         ----------
         v2, v1 : array, shape (..., 6)
             Vectors of the chart: real part, then dual part. Complex numbers are a TypeError.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -985,6 +962,60 @@ class PoseKernels(Kernels):
         found = call(self._chart, "between_jacobians", axis, None, v2, v1)
         return separate(found, axis, JACOBIAN, JACOBIAN)
 
+    def local_jacobians(self, v2: ArrayLike, v1: ArrayLike, *, axis: int = -1) -> tuple[Array, ...]:
+        r"""Return the derivatives of ``δ = local(v2, v1)`` by v2 and by v1, on the principal branch.
+
+        ``∂δ/∂v2 = dexp(δ)⁻¹ T(v2)`` and ``∂δ/∂v1 = −dexp(−δ)⁻¹ T(v1)``.
+
+        Parameters
+        ----------
+        v2, v1 : array, shape (..., 6)
+            Vectors of the chart: real part, then dual part. Complex numbers are a TypeError.
+        axis : {-1, 0}, component axis of arguments and results
+
+        Returns
+        -------
+        by_v2, by_v1 : array, shape (..., 6, 6)
+            Rows: components of the result. Columns: components of the argument.
+
+        Examples
+        --------
+        >>> v, w, step = np.arange(6) / 10, np.full(6, 0.2), np.full(6, 1e-6)
+        >>> by_w, by_v = cayley2.local_jacobians(w, v)
+        >>> moved = cayley2.local([w + step, w - step], v)
+        >>> np.allclose(by_w @ step, (moved[0] - moved[1]) / 2)
+        True
+        """
+        found = call(self._chart, "local_jacobians", axis, None, v2, v1)
+        return separate(found, axis, JACOBIAN, JACOBIAN)
+
+    def body_local_jacobians(self, v2: ArrayLike, v1: ArrayLike, *, axis: int = -1) -> tuple[Array, ...]:
+        r"""Return the derivatives of ``δ = body_local(v2, v1)`` by v2 and by v1, on the principal branch.
+
+        ``∂δ/∂v2 = dexp(−δ)⁻¹ T(v2)ᵀ`` and ``∂δ/∂v1 = −dexp(δ)⁻¹ T(v1)ᵀ``.
+
+        Parameters
+        ----------
+        v2, v1 : array, shape (..., 6)
+            Vectors of the chart: real part, then dual part. Complex numbers are a TypeError.
+        axis : {-1, 0}, component axis of arguments and results
+
+        Returns
+        -------
+        by_v2, by_v1 : array, shape (..., 6, 6)
+            Rows: components of the result. Columns: components of the argument.
+
+        Examples
+        --------
+        >>> v, w, step = np.arange(6) / 10, np.full(6, 0.2), np.full(6, 1e-6)
+        >>> by_w, by_v = cayley2.body_local_jacobians(w, v)
+        >>> moved = cayley2.body_local(w, [v + step, v - step])
+        >>> np.allclose(by_v @ step, (moved[0] - moved[1]) / 2)
+        True
+        """
+        found = call(self._chart, "body_local_jacobians", axis, None, v2, v1)
+        return separate(found, axis, JACOBIAN, JACOBIAN)
+
     def interpolate(self, v1: ArrayLike, v2: ArrayLike, t: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
         r"""Return the vector at t on the motion of constant twist from v1 (t = 0) to v2 (t = 1): ``exp(t δ) R(v1)``.
 
@@ -998,8 +1029,7 @@ class PoseKernels(Kernels):
             Vectors of the chart: real part, then dual part. Complex numbers are a TypeError.
         t : array, shape (...)
             Fraction of the motion, any number; broadcasts with the batch.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -1028,8 +1058,7 @@ class PoseKernels(Kernels):
             Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
         v_dot : array, shape (..., 6)
             Time derivative of v (1/s): real part, then dual part.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -1054,8 +1083,7 @@ class PoseKernels(Kernels):
             Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
         omega : array, shape (..., 6)
             Twist [ω, v] in the space frame: angular velocity (rad/s), then velocity of the body point at the space origin.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -1080,8 +1108,7 @@ class PoseKernels(Kernels):
             Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
         v_dot : array, shape (..., 6)
             Time derivative of v (1/s): real part, then dual part.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -1109,8 +1136,7 @@ class PoseKernels(Kernels):
             Time derivative of v (1/s): real part, then dual part.
         v_ddot : array, shape (..., 6)
             Second time derivative of v (1/s²): real part, then dual part.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -1138,8 +1164,7 @@ class PoseKernels(Kernels):
             Twist [ω, v] in the space frame: angular velocity (rad/s), then velocity of the body point at the space origin.
         omega_dot : array, shape (..., 6)
             Time derivative of the twist in the space frame: angular part (rad/s²), then linear part.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -1165,8 +1190,7 @@ class PoseKernels(Kernels):
             Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
         v_dot : array, shape (..., 6)
             Time derivative of v (1/s): real part, then dual part.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -1191,8 +1215,7 @@ class PoseKernels(Kernels):
             Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
         omega : array, shape (..., 6)
             Twist [ω, v] in the space frame: angular velocity (rad/s), then velocity of the body point at the space origin.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -1219,8 +1242,7 @@ class PoseKernels(Kernels):
             Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
         v0 : array, shape (..., 6)
             Vector at the initial time, on the branch that the motion continues to v.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -1245,8 +1267,7 @@ class PoseKernels(Kernels):
             Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
         z : array, shape (..., 6)
             Wrench [f, m] in the space frame: force, then moment about the space origin.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -1272,8 +1293,7 @@ class PoseKernels(Kernels):
             Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
         z : array, shape (..., 6)
             Wrench [f, m] in the space frame: force, then moment about the space origin.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -1301,8 +1321,7 @@ class PoseKernels(Kernels):
         delta : array, shape (..., 6)
             Step [rotation (rad), translation part]: a twist times its time.
             Complex numbers are a TypeError.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -1354,8 +1373,7 @@ class PoseKernels(Kernels):
         ----------
         v2, v1 : array, shape (..., 6)
             Vectors of the chart: real part, then dual part. Complex numbers are a TypeError.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -1382,8 +1400,7 @@ class PoseKernels(Kernels):
             Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
         v_dot : array, shape (..., 6)
             Time derivative of v (1/s): real part, then dual part.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -1408,8 +1425,7 @@ class PoseKernels(Kernels):
             Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
         omega : array, shape (..., 6)
             Twist [ω, v] in the body frame: angular velocity (rad/s), then velocity of the body point at the body origin.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -1434,8 +1450,7 @@ class PoseKernels(Kernels):
             Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
         v_dot : array, shape (..., 6)
             Time derivative of v (1/s): real part, then dual part.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -1463,8 +1478,7 @@ class PoseKernels(Kernels):
             Time derivative of v (1/s): real part, then dual part.
         v_ddot : array, shape (..., 6)
             Second time derivative of v (1/s²): real part, then dual part.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -1492,8 +1506,7 @@ class PoseKernels(Kernels):
             Twist [ω, v] in the body frame: angular velocity (rad/s), then velocity of the body point at the body origin.
         omega_dot : array, shape (..., 6)
             Time derivative of the twist in the body frame: angular part (rad/s²), then linear part.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -1519,8 +1532,7 @@ class PoseKernels(Kernels):
             Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
         v_dot : array, shape (..., 6)
             Time derivative of v (1/s): real part, then dual part.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -1545,8 +1557,7 @@ class PoseKernels(Kernels):
             Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
         omega : array, shape (..., 6)
             Twist [ω, v] in the body frame: angular velocity (rad/s), then velocity of the body point at the body origin.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -1573,8 +1584,7 @@ class PoseKernels(Kernels):
             Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
         v0 : array, shape (..., 6)
             Vector at the initial time, on the branch that the motion continues to v.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -1599,8 +1609,7 @@ class PoseKernels(Kernels):
             Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
         z : array, shape (..., 6)
             Wrench [f, m] in the body frame: force, then moment about the body origin.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -1626,8 +1635,7 @@ class PoseKernels(Kernels):
             Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
         z : array, shape (..., 6)
             Wrench [f, m] in the body frame: force, then moment about the body origin.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -1655,8 +1663,7 @@ class PoseKernels(Kernels):
         delta : array, shape (..., 6)
             Step [rotation (rad), translation part]: a twist times its time.
             Complex numbers are a TypeError.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -1708,8 +1715,7 @@ class PoseKernels(Kernels):
         ----------
         v2, v1 : array, shape (..., 6)
             Vectors of the chart: real part, then dual part. Complex numbers are a TypeError.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------

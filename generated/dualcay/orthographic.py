@@ -167,16 +167,14 @@ def _gain(m: Any, e0: Any, e1: Any, e2: Any, e3: Any, size: Any) -> Result:
     e3_gain = e3 * gain
     x = e1_gain * e1_gain + e2_gain * e2_gain + e3_gain * e3_gain
     over = x - 1
-    shrunk = m.where(over < 0, 1, 1 / (1 + 4 * over))
-    kept = gain * shrunk
+    kept = gain * (1 / (1 + 2 * (over + m.abs(over))))
     return kept,
 
 
 # factor that takes a vector of square x back to the edge; 1 within the chart
 def _inside(m: Any, x: Any) -> Result:
     over = x - 1
-    shrunk = m.where(over < 0, 1, 1 / (1 + 4 * over))
-    return shrunk,
+    return 1 / (1 + 2 * (over + m.abs(over))),
 
 
 # principal angle, d alpha/d r and sign of the axis, from x, y and the length r of v
@@ -252,7 +250,7 @@ CHART = Chart(
         _unfolded, _reached, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="834eadee2ed77a60",
+    programs="692f4c729f4fdf13",
     ends=True,
 )
 

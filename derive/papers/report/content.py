@@ -6,6 +6,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from ... import about
 from ..equation import Entry, Paper
 from ..language.printed import rate_depth
 from ..numbers.kinds import KINDS
@@ -155,7 +156,7 @@ def why(result: Result) -> str:
 
 def command(result: Result) -> str:
     """Return the command that prints the entry with its counterexample."""
-    if result.equation.written is not None:
+    if result.paper not in about.PAPERS:
         return f"dualcay verify {result.equation.source} --eq {result.equation.number}"
     return f"dualcay verify --paper {result.paper} --eq {result.equation.number}"
 

@@ -61,8 +61,7 @@ class RotationKernels(Kernels):
         ----------
         v : array, shape (..., 3)
             Vector φ(α) u of the chart (dimensionless).
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
         scalar_first : bool
             True for the scalar first, False for the scalar last.
 
@@ -92,8 +91,7 @@ class RotationKernels(Kernels):
         ----------
         v : array, shape (..., 3)
             Vector φ(α) u of the chart (dimensionless).
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -118,8 +116,7 @@ class RotationKernels(Kernels):
             Rotation angle α (rad).
         u : array, shape (..., 3)
             Unit vector of the axis; another length scales v. Complex numbers are a TypeError.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
         check : bool or float
             Largest violation allowed, otherwise ValueError; True is sqrt(eps) of the array type. NaN is refused too.
 
@@ -221,8 +218,7 @@ class RotationKernels(Kernels):
             NaN or infinity in any component, or zero, gives NaN. Complex q is a TypeError.
         branch : int
             k of ``φ(α + 2kπ) u``, modulo the number of branches; 0 is principal. Anything else is a TypeError.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
         check : bool or float
             Largest violation allowed, otherwise ValueError; True is sqrt(eps) of the array type. NaN is refused too.
         scalar_first : bool
@@ -260,8 +256,7 @@ class RotationKernels(Kernels):
             Errors are first order in a violation of orthogonality. Complex R is a TypeError.
         branch : int
             k of ``φ(α + 2kπ) u``, modulo the number of branches; 0 is principal. Anything else is a TypeError.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
         check : bool or float
             Largest violation allowed, otherwise ValueError; True is sqrt(eps) of the array type. NaN is refused too.
 
@@ -322,8 +317,7 @@ class RotationKernels(Kernels):
         ----------
         v : array, shape (..., 3)
             Vector φ(α) u of the chart (dimensionless).
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -348,8 +342,7 @@ class RotationKernels(Kernels):
             Vector φ(α) u of the chart (dimensionless).
         r : array, shape (..., 3)
             Point.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -404,8 +397,7 @@ class RotationKernels(Kernels):
         ----------
         v : array, shape (..., 3)
             Vector φ(α) u of the chart (dimensionless).
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -432,8 +424,7 @@ class RotationKernels(Kernels):
         ----------
         v : array, shape (..., 3)
             Vector φ(α) u of the chart (dimensionless).
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -456,8 +447,7 @@ class RotationKernels(Kernels):
         ----------
         v : array, shape (..., 3)
             Vector φ(α) u of the chart (dimensionless).
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -480,8 +470,7 @@ class RotationKernels(Kernels):
         ----------
         v : array, shape (..., 3)
             Vector φ(α) u of the chart (dimensionless).
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -504,8 +493,7 @@ class RotationKernels(Kernels):
         ----------
         v : array, shape (..., 3)
             Vector φ(α) u of the chart (dimensionless).
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -537,8 +525,7 @@ class RotationKernels(Kernels):
             Complex v is a TypeError.
         branch : int
             k, modulo the number of branches; anything else is a TypeError.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -566,8 +553,7 @@ class RotationKernels(Kernels):
             Complex v is a TypeError.
         branch : int
             k, modulo the number of branches; anything else is a TypeError.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -592,8 +578,7 @@ class RotationKernels(Kernels):
         v : array, shape (..., 3)
             Vector φ(α) u of the chart (dimensionless).
             Complex v is a TypeError.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -617,8 +602,7 @@ class RotationKernels(Kernels):
         v : array, shape (..., 3)
             Vector φ(α) u of the chart (dimensionless).
             Complex v is a TypeError.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -641,8 +625,7 @@ class RotationKernels(Kernels):
         v : array, shape (..., 3)
             Vector φ(α) u of the chart (dimensionless).
             Complex v is a TypeError.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -700,8 +683,7 @@ class RotationKernels(Kernels):
         w : array, shape (..., 3)
             Exponential coordinates: rotation vector (rad).
             Complex w is a TypeError.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -727,8 +709,7 @@ class RotationKernels(Kernels):
         ----------
         v2, v1 : array, shape (..., 3)
             Vectors φ(α) u of the chart (dimensionless). Complex numbers are a TypeError.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -752,8 +733,7 @@ class RotationKernels(Kernels):
         ----------
         v2, v1 : array, shape (..., 3)
             Vectors φ(α) u of the chart (dimensionless). Complex numbers are a TypeError.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -821,6 +801,60 @@ class RotationKernels(Kernels):
         found = call(self._chart, "between_jacobians", axis, None, v2, v1)
         return separate(found, axis, JACOBIAN, JACOBIAN)
 
+    def local_jacobians(self, v2: ArrayLike, v1: ArrayLike, *, axis: int = -1) -> tuple[Array, ...]:
+        r"""Return the derivatives of ``δ = local(v2, v1)`` by v2 and by v1, on the principal branch.
+
+        ``∂δ/∂v2 = dexp(δ)⁻¹ T(v2)`` and ``∂δ/∂v1 = −dexp(−δ)⁻¹ T(v1)``.
+
+        Parameters
+        ----------
+        v2, v1 : array, shape (..., 3)
+            Vectors φ(α) u of the chart (dimensionless). Complex numbers are a TypeError.
+        axis : {-1, 0}, component axis of arguments and results
+
+        Returns
+        -------
+        by_v2, by_v1 : array, shape (..., 3, 3)
+            Rows: components of the result. Columns: components of the argument.
+
+        Examples
+        --------
+        >>> v, w, step = np.arange(3) / 10, np.full(3, 0.2), np.full(3, 1e-6)
+        >>> by_w, by_v = cayley2.local_jacobians(w, v)
+        >>> moved = cayley2.local([w + step, w - step], v)
+        >>> np.allclose(by_w @ step, (moved[0] - moved[1]) / 2)
+        True
+        """
+        found = call(self._chart, "local_jacobians", axis, None, v2, v1)
+        return separate(found, axis, JACOBIAN, JACOBIAN)
+
+    def body_local_jacobians(self, v2: ArrayLike, v1: ArrayLike, *, axis: int = -1) -> tuple[Array, ...]:
+        r"""Return the derivatives of ``δ = body_local(v2, v1)`` by v2 and by v1, on the principal branch.
+
+        ``∂δ/∂v2 = dexp(−δ)⁻¹ T(v2)ᵀ`` and ``∂δ/∂v1 = −dexp(δ)⁻¹ T(v1)ᵀ``.
+
+        Parameters
+        ----------
+        v2, v1 : array, shape (..., 3)
+            Vectors φ(α) u of the chart (dimensionless). Complex numbers are a TypeError.
+        axis : {-1, 0}, component axis of arguments and results
+
+        Returns
+        -------
+        by_v2, by_v1 : array, shape (..., 3, 3)
+            Rows: components of the result. Columns: components of the argument.
+
+        Examples
+        --------
+        >>> v, w, step = np.arange(3) / 10, np.full(3, 0.2), np.full(3, 1e-6)
+        >>> by_w, by_v = cayley2.body_local_jacobians(w, v)
+        >>> moved = cayley2.body_local(w, [v + step, v - step])
+        >>> np.allclose(by_v @ step, (moved[0] - moved[1]) / 2)
+        True
+        """
+        found = call(self._chart, "body_local_jacobians", axis, None, v2, v1)
+        return separate(found, axis, JACOBIAN, JACOBIAN)
+
     def interpolate(self, v1: ArrayLike, v2: ArrayLike, t: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
         r"""Return the vector at t on the motion of constant twist from v1 (t = 0) to v2 (t = 1): ``exp(t δ) R(v1)``.
 
@@ -834,8 +868,7 @@ class RotationKernels(Kernels):
             Vectors φ(α) u of the chart (dimensionless). Complex numbers are a TypeError.
         t : array, shape (...)
             Fraction of the motion, any number; broadcasts with the batch.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -864,8 +897,7 @@ class RotationKernels(Kernels):
             Vector φ(α) u of the chart (dimensionless).
         v_dot : array, shape (..., 3)
             Time derivative of v (1/s).
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -890,8 +922,7 @@ class RotationKernels(Kernels):
             Vector φ(α) u of the chart (dimensionless).
         omega : array, shape (..., 3)
             Twist, for rotations the angular velocity in the space frame (rad/s).
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -916,8 +947,7 @@ class RotationKernels(Kernels):
             Vector φ(α) u of the chart (dimensionless).
         v_dot : array, shape (..., 3)
             Time derivative of v (1/s).
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -945,8 +975,7 @@ class RotationKernels(Kernels):
             Time derivative of v (1/s).
         v_ddot : array, shape (..., 3)
             Second time derivative of v (1/s²).
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -974,8 +1003,7 @@ class RotationKernels(Kernels):
             Twist, for rotations the angular velocity in the space frame (rad/s).
         omega_dot : array, shape (..., 3)
             Time derivative of the angular velocity in the space frame (rad/s²).
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -1001,8 +1029,7 @@ class RotationKernels(Kernels):
             Vector φ(α) u of the chart (dimensionless).
         v_dot : array, shape (..., 3)
             Time derivative of v (1/s).
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -1027,8 +1054,7 @@ class RotationKernels(Kernels):
             Vector φ(α) u of the chart (dimensionless).
         omega : array, shape (..., 3)
             Twist, for rotations the angular velocity in the space frame (rad/s).
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -1055,8 +1081,7 @@ class RotationKernels(Kernels):
             Vector φ(α) u of the chart (dimensionless).
         v0 : array, shape (..., 3)
             Vector at the initial time, on the branch that the motion continues to v.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -1081,8 +1106,7 @@ class RotationKernels(Kernels):
             Vector φ(α) u of the chart (dimensionless).
         z : array, shape (..., 3)
             Wrench, for rotations the moment in the space frame.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -1108,8 +1132,7 @@ class RotationKernels(Kernels):
             Vector φ(α) u of the chart (dimensionless).
         z : array, shape (..., 3)
             Wrench, for rotations the moment in the space frame.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -1137,8 +1160,7 @@ class RotationKernels(Kernels):
         delta : array, shape (..., 3)
             Rotation vector of the step (rad): an angular velocity times its time.
             Complex numbers are a TypeError.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -1190,8 +1212,7 @@ class RotationKernels(Kernels):
         ----------
         v2, v1 : array, shape (..., 3)
             Vectors φ(α) u of the chart (dimensionless). Complex numbers are a TypeError.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -1218,8 +1239,7 @@ class RotationKernels(Kernels):
             Vector φ(α) u of the chart (dimensionless).
         v_dot : array, shape (..., 3)
             Time derivative of v (1/s).
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -1244,8 +1264,7 @@ class RotationKernels(Kernels):
             Vector φ(α) u of the chart (dimensionless).
         omega : array, shape (..., 3)
             Twist, for rotations the angular velocity in the body frame (rad/s).
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -1270,8 +1289,7 @@ class RotationKernels(Kernels):
             Vector φ(α) u of the chart (dimensionless).
         v_dot : array, shape (..., 3)
             Time derivative of v (1/s).
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -1299,8 +1317,7 @@ class RotationKernels(Kernels):
             Time derivative of v (1/s).
         v_ddot : array, shape (..., 3)
             Second time derivative of v (1/s²).
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -1328,8 +1345,7 @@ class RotationKernels(Kernels):
             Twist, for rotations the angular velocity in the body frame (rad/s).
         omega_dot : array, shape (..., 3)
             Time derivative of the angular velocity in the body frame (rad/s²).
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -1355,8 +1371,7 @@ class RotationKernels(Kernels):
             Vector φ(α) u of the chart (dimensionless).
         v_dot : array, shape (..., 3)
             Time derivative of v (1/s).
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -1381,8 +1396,7 @@ class RotationKernels(Kernels):
             Vector φ(α) u of the chart (dimensionless).
         omega : array, shape (..., 3)
             Twist, for rotations the angular velocity in the body frame (rad/s).
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -1409,8 +1423,7 @@ class RotationKernels(Kernels):
             Vector φ(α) u of the chart (dimensionless).
         v0 : array, shape (..., 3)
             Vector at the initial time, on the branch that the motion continues to v.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -1435,8 +1448,7 @@ class RotationKernels(Kernels):
             Vector φ(α) u of the chart (dimensionless).
         z : array, shape (..., 3)
             Wrench, for rotations the moment in the body frame.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -1462,8 +1474,7 @@ class RotationKernels(Kernels):
             Vector φ(α) u of the chart (dimensionless).
         z : array, shape (..., 3)
             Wrench, for rotations the moment in the body frame.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -1491,8 +1502,7 @@ class RotationKernels(Kernels):
         delta : array, shape (..., 3)
             Rotation vector of the step (rad): an angular velocity times its time.
             Complex numbers are a TypeError.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -1544,8 +1554,7 @@ class RotationKernels(Kernels):
         ----------
         v2, v1 : array, shape (..., 3)
             Vectors φ(α) u of the chart (dimensionless). Complex numbers are a TypeError.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
