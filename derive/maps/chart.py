@@ -186,7 +186,7 @@ class Chart(Typeset, ABC):
         if self.range.is_infinite:
             return 1
         over = m.name("over", plus(x, number(-(self.range**2)), m, "overx"))
-        beyond = over + m.abs(over)  # twice the excess, or 0
+        beyond = m.name("excess", over + m.abs(over))  # twice the excess, or 0
         return m.div(1, 1 + 2 * times(number(1 / self.range**2), beyond, m, "share"))
 
     @abstractmethod

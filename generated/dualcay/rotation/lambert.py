@@ -22,7 +22,7 @@ from ._interface import RotationKernels
 
 ORDER = 2
 
-CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="4026a304cdae3716")
+CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="1c1dcfbc31692db5")
 
 KERNELS = RotationKernels(CHART)
 # the functions of this module are the methods of KERNELS

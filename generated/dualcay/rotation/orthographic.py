@@ -22,7 +22,7 @@ from ._interface import RotationKernels
 
 ORDER = 1
 
-CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="b78a52ff18210548")
+CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="780a3083b1a1674c")
 
 KERNELS = RotationKernels(CHART)
 # the functions of this module are the methods of KERNELS

@@ -22,7 +22,7 @@ from ._interface import RotationKernels
 
 ORDER = 3
 
-CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="7c019c8957642b6e")
+CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="94c4d775c04bc1d2")
 
 KERNELS = RotationKernels(CHART)
 # the functions of this module are the methods of KERNELS

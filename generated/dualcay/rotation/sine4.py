@@ -22,7 +22,7 @@ from ._interface import RotationKernels
 
 ORDER = 4
 
-CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="a9cc97011df261f5")
+CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="a86d71d0766409fc")
 
 KERNELS = RotationKernels(CHART)
 # the functions of this module are the methods of KERNELS
