@@ -61,8 +61,9 @@ def phi(context: click.Context, parameter: click.Parameter, value: str | None) -
     """Return the text of φ, with its syntax checked before SymPy is loaded."""
     from ..maps.any_phi.grammar import PHI
 
-    with refusals("--phi"):
-        _ = value is not None and PHI.tree(value.strip(" "))
+    if value is not None:
+        with refusals("--phi"):
+            PHI.tree(value.strip(" "))
     return value
 
 

@@ -75,7 +75,7 @@ class Sheet(Paper):
 
     @property
     def problems(self) -> tuple[Problem, ...]:
-        """What cannot be read."""
+        """Text that cannot be read."""
         return self._content[1]
 
     def entries(self) -> tuple[Entry, ...]:

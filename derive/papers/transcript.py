@@ -38,7 +38,7 @@ FRAMED = COMPONENTWISE | {"vector"}
 
 @dataclass(frozen=True)
 class Transcript:
-    """What all entries of a transcript share."""
+    """Scope, names as printed, sections and points, which all entries of a transcript share."""
 
     source: str
     scope: Scope

@@ -38,6 +38,7 @@ UNDECIDED = {"whole turns": ("interpolate",), "edge": ("interpolate",), "overflo
 """Functions by regime that the oracle does not decide: its steps are too long next to whole turns and edges."""
 DIGITS = {"tiny": 700, "overflow": 700}
 """Digits of the oracle by regime, where squares of squares meet 1; `families.DIGITS` elsewhere."""
+NOISE = 1e4  # rounding errors of the oracle, whose `tie` is the root of one
 OF_ANY_VECTOR = ("inverse",)
 """Functions that are right for every vector: −v is the inverse wherever v has a pose."""
 
@@ -188,9 +189,10 @@ class Call:
         crowd = _tuple(function(*(np.repeat(array[None], CROWD, axis=0) for array in self.given)))
         among = tuple(part[-1] for part in crowd)
         reason = self._wrong(among)
-        in_double = not self.row.real and self.chart.singles_in_double and self.fate != OUTSIDE  # else no root is real
-        if alone[0].dtype == np.float32 and in_double:
+        if alone[0].dtype == np.float32 and not self.row.real and self.chart.singles_in_double:
             reason = reason or self._rounded(function, alone)
+            if self.fate == OUTSIDE and reason:  # where a root is not real, the single runs in float32 too
+                reason = self._wrong(among) or self._wrong(alone)
         elif not (reason := reason or self._wrong(alone)) and [*map(_finite, alone)] != [*map(_finite, among)]:
             reason = f"single and batch are finite in other places: {alone}, {among}"
         return f"{self.row.name}{self.given}, {self.fate}: {reason}" if reason else ""
@@ -229,7 +231,7 @@ class Call:
             further = families.scale_of_factors(self.chart.oracle, self.row.source, *self._of_poses(*self._doubles))
             sizes = [a + b for a, b in zip(sizes, further[:: 4 // len(sizes)], strict=True)]
         length = 1 + min(max(errors.norm(array) for array in self.given), 1e60)
-        lost = ROUNDINGS * float(limits.smallest_subnormal) * length**4
+        lost = ROUNDINGS * float(limits.smallest_subnormal) * length**4 + NOISE * self.chart.oracle.tie**2
         return [families.GATE * max(float(limits.eps), self.violation) * size + lost for size in sizes]
 
     @property

@@ -232,11 +232,12 @@ def test_loops_over_rows_become_vector_code(package, tmp_path, order, table, tur
     report = run(*command, "-fopt-info-vec-optimized", "-c", source, "-o", tmp_path / "rows.o")
     path = re.escape(str(package / inside(table, "geometry.h")))
     lines = {int(line) for line in re.findall(rf"{path}:(\d+):\d+: optimized: loop vectorized", report)}
-    cores = Counter(core for line in lines for core in re.findall(r"DUALCAY_NAME\((\w+)_core\)", header[line]))
+    called = (core for line in lines for core in re.findall(r"DUALCAY_NAME\((\w+)_core\)", header[line]))
+    cores = Counter("principal" if core == "returned" else core for core in called)  # v itself if it is the only one
     needed = levels(lower_chart(Cayley(order), table))
     most = 2 if "#define DUALCAY_SIMD " in run(*command, "-E", "-dM", source) else 1
     expected = Counter(row.kernel for row in table.public.values() if needed[row.kernel] <= most)
-    assert expected + Counter(turn=turns) <= cores
+    assert expected + Counter(turn=turns) - cores == Counter()
 
 
 @pytest.mark.parametrize(("minor", "asked"), [(34, False), (35, True)])
