@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from fractions import Fraction
 
 from ..algebra import Structure, Tensor
 from ..algebra.matrix import Matrix
-from .claim import Claim, Place
+from .claim import Claim, Place, kind
 from .language.environment import Env
 from .language.matrices import det, trace
 from .language.operator_table import Re, cos, norm, sin
@@ -41,6 +42,8 @@ def fault(env: Env, node: Term) -> Exclusion | None:
     name, arguments = node.operator.name, node.arguments
     if name == "over":
         return Exclusion(_factor(env, arguments[1]), "!= 0")
+    if name == "power" and isinstance(exponent := env.value(arguments[1]), Fraction) and exponent.denominator > 1:
+        return Exclusion(arguments[0], ">= 0" if exponent > 0 and exponent.denominator == 2 else "> 0")
     if name in ("power", "inverse"):
         return Exclusion(_factor(env, arguments[0]), "!= 0")
     if name == "norm":
@@ -111,13 +114,22 @@ def exclusions(claim: Claim, places: Sequence[Place]) -> dict[Exclusion, Place]:
 
 def plain(probe: Probe, requirement: Exclusion) -> str:
     """Return a requirement in plain form: by values of the letter if it has only one, else as it stands."""
-    shown = replace(requirement, subject=probe.claim.entry.contracted(requirement.subject))
     letters = [a for a in symbols(requirement.subject) if a in probe.claim.coordinates]
+    if requirement.relation != "has a value" and any(kind(a).dual for a in letters):
+        requirement = replace(requirement, subject=_real(requirement.subject))
+    shown = replace(requirement, subject=probe.claim.entry.contracted(requirement.subject))
     simple = requirement.subject in (*letters, *map(norm, letters))
     if requirement.relation == "!= 0" and len(letters) == 1 and not simple:
         name, roots = probe.roots_along(requirement.subject, letters[0]) or ("", [])
         return (roots and values_excluded(name, roots)) or str(shown)
     return str(shown)
+
+
+def _real(subject: Term) -> Term:
+    """Return the real part of a term with dual letters."""
+    if subject.operator is norm:
+        return norm(_real(*subject.arguments))
+    return subject if subject.operator is Re else Re(subject)
 
 
 def values_excluded(name: str, roots: Sequence[float]) -> str:

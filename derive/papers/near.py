@@ -17,18 +17,20 @@ CHANGES_MAX, SAMPLE = 3, 6
 """Changes shown, and points at which a changed claim is tried first."""
 
 
-def true_at(claim: Claim, found: Sequence[Place]) -> bool:
-    """Return whether a claim is true at all points where it has a value, and has one somewhere."""
-    somewhere = False
+def true_at(claim: Claim, found: Sequence[Place], least: int = 1) -> bool:
+    """Return whether a claim is false at no point, and true at so many."""
+    true = 0
     for place in found:
         try:
             truth = claim.truth(place)
-        except (TypeError, AttributeError, ValueError, IndexError, ArithmeticError, BlurredError):
+        except BlurredError:
+            continue
+        except (TypeError, AttributeError, ValueError, IndexError, ArithmeticError):
             return False
         if truth is False:
             return False
-        somewhere |= truth is True
-    return somewhere
+        true += truth is True
+    return true >= least
 
 
 def mended(claim: Claim, failing: Place | None, holds: Callable[[Claim], bool]) -> Iterator[str]:
@@ -47,7 +49,7 @@ def mended(claim: Claim, failing: Place | None, holds: Callable[[Claim], bool]) 
 def vacuous(claim: Claim, true: Sequence[Place]) -> Iterator[str]:
     """Yield the terms of a true claim whose sign or coefficient does not matter."""
     for words, changed in signs_and_coefficients(claim.entry.written or claim.statement):
-        if true_at(claim.with_statement(claim.entry.expanded(changed)), true):
+        if true_at(claim.with_statement(claim.entry.expanded(changed)), true, (len(true) + 1) // 2):
             yield words
 
 

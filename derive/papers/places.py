@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import random
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import replace
 from fractions import Fraction
@@ -96,12 +96,18 @@ class Probe:
             found.append(place)
             yield place
         if self.claim.entry.claimed is not None and len(found) < FEW:
-            yield from self._inside(map(self._near, found * (FEW // max(len(found), 1))))
+            yield from self.near(found)
+
+    def near(self, found: Sequence[Place]) -> Iterator[Place]:
+        """Yield points in the stated domain near others, as many as make a region known."""
+        return self._inside(map(self._near, [*found[:FEW] * (FEW // max(len(found), 1))]))
 
     def _near(self, place: Place) -> Place:
         """Return a point whose coordinates differ by up to a half."""
-        moved = [a for a in self.claim.coordinates if kind(a).spread != "integer"]
-        at = {**place.at, **{a: [c * Fraction(self.random.randint(50, 150), 100) for c in place.at[a]] for a in moved}}
+        at = {a: c for a, c in place.at.items() if a not in self.claim.coordinates or kind(a).spread == "integer"}
+        for letter in (a for a in self.claim.coordinates if a not in at):
+            shown = [Fraction(f"{float(c):.6g}") for c in place.at[letter]]
+            at[letter] = [c + Fraction(self.random.randint(-50, 50), 100) * (c or 1) for c in shown]
         return replace(place, label=f"near {place.label}", at=at, generic=True, on="")
 
     def _inside(self, places: Iterable[Place]) -> Iterator[Place]:

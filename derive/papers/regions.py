@@ -18,7 +18,7 @@ from .numbers.fields import innermost
 from .places import Probe
 
 BRANCHED = frozenset((
-    "root", "acos", "asin", "arctan", "atan2 of two", "log", "norm", "floor of number",
+    "root", "acos", "asin", "arctan", "atan2 of two", "log", "norm",
 ))  # fmt: skip
 """Operators that choose a branch or a sign."""
 REGION_MIN = 3
@@ -105,6 +105,8 @@ _BOUNDS: tuple[tuple[float | None, float, str], ...] = (
     (-0.5, 0.5, "norm({0}) <= pi/2"), (-1, 1, "norm({0}) <= pi"), (-2, 2, "norm({0}) <= 2*pi"),
     (0, 0.5, "0 <= {0} and {0} <= pi/2"), (0, 1, "0 <= {0} and {0} <= pi"), (0, 2, "0 <= {0} and {0} <= 2*pi"),
     (None, 0.5, "{0} <= pi/2"), (None, 1, "{0} <= pi"), (None, 2, "{0} <= 2*pi"), (-0.25, 0.25, "norm({0}) <= pi/4"),
+    (1, 2, "pi <= {0} and {0} <= 2*pi"), (0.5, 1.5, "pi/2 <= {0} and {0} <= 3*pi/2"),
+    (-1, 0, "-pi <= {0} and {0} <= 0"),
 )  # fmt: skip
 
 

@@ -12,7 +12,7 @@ from typing import Any
 
 from .claim import Claim, Place, kind
 from .language.environment import Env
-from .language.operator_table import norm
+from .language.operator_table import Re, norm
 from .language.printed import Symbol
 from .language.written import written
 from .numbers.balls import Ball, arb, flint, precision
@@ -48,9 +48,10 @@ class Line:
     @property
     def shown(self) -> str:
         """Name of t, for labels."""
-        if self.radial:
-            return written(norm(self.letter))
-        return self.letter.name if kind(self.letter).size == 1 else f"t along {self.letter.name}"
+        part = Re(self.letter) if kind(self.letter).dual else self.letter
+        if self.radial or kind(self.letter).size == 1:
+            return written(norm(part) if self.radial else part)
+        return f"t along {self.letter.name}"
 
     def point(self, t: Any) -> dict[Symbol, Any]:
         """Return the coordinates at t."""
