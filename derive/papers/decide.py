@@ -62,7 +62,9 @@ def decide(
     ((claim, finding),) = zip(claims, findings, strict=True)
     if finding.holds:
         return replace(found, vacuous=tuple(dict.fromkeys(vacuous(claim, finding.true))), needs=tuple(needed(claim)))
-    return replace(found, changes=tuple(mended(claim, finding.failing, lambda other: decided(other).holds)))
+    for change in mended(claim, finding.failing, lambda other: decided(other).holds):
+        early(found := replace(found, changes=(*found.changes, change)))
+    return found
 
 
 def _result(paper: str, entry: Entry, claims: Sequence[Claim], findings: Sequence[Finding]) -> Result:

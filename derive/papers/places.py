@@ -262,10 +262,11 @@ class Probe:
             now = value(n)
             if now is None:
                 continue
+            if now.contains(0):
+                yield from map(place, (n, *(m for m in (n - 1, n + 1) if m > 0 or not order)))
+                continue
             if before is not None and now * before[1] < 0:
-                yield from map(place, integers_at_zero(value, before[0], n, before[1]))
-            elif now.contains(0):
-                yield place(n)
+                yield from map(place, dict.fromkeys((*integers_at_zero(value, before[0], n, before[1]), n)))
             before = n, now
 
     def _meeting(self, part: Singular) -> Iterator[Place]:

@@ -25,6 +25,8 @@ ROOTS_MAX = 4
 """Number of zeros of one singular part along one line that are tried."""
 NEAR = Fraction(1, 1000)
 """Distance of a point beside a zero, relative to the zero."""
+ASIDE = Fraction(1, 2**30)
+"""Distance from a zero on the grid at which the search for others goes on, relative to the zero."""
 FINE, WIDTH = 512, 160
 """Bits of the search for zeros, and bits of a zero's position."""
 
@@ -112,10 +114,14 @@ def _brackets(
     value: Callable[[Any], Any], grid: Sequence[Any], brief: bool
 ) -> Iterator[tuple[Any, Callable[[], list[Any]]]]:
     """Yield the places near which a number vanishes, each with the function that finds the zeros there."""
-    seen = [(t, value(t)) for t in grid]
-    for t, f in seen:
+    seen = []
+    for t in grid:
+        f = value(t)
         if f is not None and f.contains(0):
             yield t, partial(_listed, arb, t)
+            seen += [(u, value(u)) for u in (t - ASIDE * (1 + abs(t)), t + ASIDE * (1 + abs(t)))]
+        else:
+            seen.append((t, f))
     for (t, f), (u, g) in pairwise(seen):
         if f is not None and g is not None and f * g < 0:
             yield t, partial(_listed, zero, value, arb(t), arb(u), f, g)

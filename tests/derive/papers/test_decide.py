@@ -189,7 +189,7 @@ def test_condition_with_a_true_point_outside_is_not_sharp() -> None:
 
 
 def test_value_is_refused_if_the_form_states_none(monkeypatch) -> None:
-    monkeypatch.setattr(sys.modules["derive.papers.decide"], "is_sharp", lambda *_: True)
+    monkeypatch.setattr(sys.modules["derive.papers.finding"], "is_sharp", lambda *_: True)
     with pytest.raises(UndecidedError, match="its form says no value, but there is one"):
         decided(equal(norm(a) * norm(a) / norm(a), a), condition=positive(Re(a)))
 

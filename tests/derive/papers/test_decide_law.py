@@ -7,7 +7,7 @@ from itertools import product
 import pytest
 
 from derive.papers.claim import Claim
-from derive.papers.decide import decided
+from derive.papers.finding import decided
 from derive.papers.result import Status
 from derive.papers.sheet import claim_alone
 
