@@ -16,9 +16,9 @@ from .language.environment import Env
 from .language.operator_table import both, epsilon, equal
 from .language.printed import Symbol, Term, Trait, rate_depth, symbols, walk, with_trait
 from .numbers.balls import PRECISIONS, Ball, Balls, BlurredError, arb, precision
-from .numbers.draw import Draw, jet
+from .numbers.build import jet
 from .numbers.fields import Field
-from .numbers.kinds import KINDS, SPECIAL_BITS, Kind, Numbers
+from .numbers.kinds import KINDS, Kind, Numbers
 from .numbers.quantities import BRANCH, ORDER, SIGN
 
 RATES_MAX = 2
@@ -186,11 +186,6 @@ class Claim:
     def inside(self, place: Place) -> bool:
         """Return whether a point lies in the stated domain."""
         return self.entry.claimed is None or bool(self.truth(place, self.entry.claimed))
-
-    def given(self) -> Mapping[str, Mapping[Symbol, Any]]:
-        """Return the further values of letters that the entry gives, by label."""
-        with precision(SPECIAL_BITS):
-            return {} if self.entry.also is None else self.entry.also(Draw(self.entry.number, bool(self.depth)))
 
     def with_statement(self, statement: Term) -> Claim:
         """Return another claim about the same letters."""

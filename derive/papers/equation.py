@@ -18,7 +18,7 @@ from __future__ import annotations
 
 import importlib
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any
 
@@ -26,9 +26,6 @@ from ..output.typeset import Typeset
 from .language.claims import Abbreviation, contracted, expanded
 from .language.environment import Definition
 from .language.printed import Symbol, Term, latex, rate_depth, symbols, text, walk
-from .numbers.draw import Draw
-
-Points = Callable[[Draw], Mapping[str, Mapping[Symbol, Any]]]
 
 
 class UndecidedError(Exception):
@@ -64,7 +61,7 @@ class Entry(Typeset):
     corrected: Term | None = None  # correction of an erratum
     because: Term | None = None  # identity that supports a statement for which points are only evidence
     argument: str = ""  # name of the module whose argument proves the statement from this identity
-    also: Points | None = field(default=None, compare=False)  # draws the free symbols of further points, by label
+    also: Mapping[str, Mapping[Symbol, Any]] = field(default_factory=dict, compare=False)  # values at further points
     moving: bool = False  # whether the symbols are functions of time
     orders: tuple[int, ...] | None = None  # orders that the entry is about; all by default
     branches: int | None = None  # number of values of a branch symbol; n by default

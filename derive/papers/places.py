@@ -100,7 +100,7 @@ class Probe:
 
     def near(self, found: Sequence[Place]) -> Iterator[Place]:
         """Yield points in the stated domain near others, as many as make a region known."""
-        return self._inside(map(self._near, [*found[:FEW] * (FEW // max(len(found), 1))]))
+        return self._inside(map(self._near, list(found)[:FEW] * (FEW // max(len(found), 1))))
 
     def _near(self, place: Place) -> Place:
         """Return a point whose coordinates differ by up to a half."""
@@ -204,7 +204,7 @@ class Probe:
             yield Place(f"{a.name}: {label}, {b.name}: {other}", at, parts=parts, pair=True)
 
     def _given(self) -> Iterator[Place]:
-        for label, values in self.claim.given().items():
+        for label, values in self.claim.entry.also.items():
             yield Place(label, self.drawn(), values=values)
 
     def _related(self) -> Iterator[Place]:
@@ -219,14 +219,18 @@ class Probe:
                 if kind(one).size == kind(other).size == 3 and not kind(one).projective:
                     along = kind(other).build(at[other])
                     yield Place(f"{one.name} along {other.name}", {**at, one: [2 * c for c in along]}, pair=True)
+                    inverse = [c / along.dot(along) for c in along]
+                    yield Place(f"{one.name} inverse to {other.name}", {**at, one: inverse}, pair=True)
                     across = along.cross(Vector(*at[one]))
                     yield Place(f"{one.name} across {other.name}", {**at, one: list(across)}, pair=True)
 
     def _zeros(self) -> Iterator[Place]:
+        stated = list(singular(self.claim.entry.condition)) if self.claim.entry.condition is not None else []
         for part in singular(*self.claim.parts):
             letters = [a for a in self.claim.letters if a in symbols(part.part)]
-            if self.fixed is not None and any(a in self.claim.entry.definitions for a in symbols(part.part)):
-                continue  # such parts are slow; the entry gives further points
+            defined = any(a in self.claim.entry.definitions for a in symbols(part.part))
+            if self.fixed is not None and defined and part not in stated:
+                continue  # such parts are slow
             for letter in letters:
                 if letter in self.claim.coordinates:
                     for line in islice(self.lines(letter), None if self.fixed is None else 1):
@@ -263,7 +267,7 @@ class Probe:
             if now is None:
                 continue
             if now.contains(0):
-                yield from map(place, (n, *(m for m in (n - 1, n + 1) if m > 0 or not order)))
+                yield from map(place, (m for m in (n, n - 1, n + 1) if m > 0 or not order))
                 continue
             if before is not None and now * before[1] < 0:
                 yield from map(place, dict.fromkeys((*integers_at_zero(value, before[0], n, before[1]), n)))

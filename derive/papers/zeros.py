@@ -89,7 +89,8 @@ class Line:
         for _, refined in sorted(_brackets(value, grid, brief), key=lambda row: abs(row[0])):
             for t in refined():
                 f = None if t is None else value(Ball(t))
-                if f is not None and abs(f) < flint().arb(2) ** -WIDTH and len(zeros) < ROOTS_MAX:
+                small = f is not None and abs(f) < flint().arb(2) ** -WIDTH
+                if small and len(zeros) < ROOTS_MAX and not any(abs(t - z) < arb(ASIDE) for z in zeros):
                     zeros.append(t)
         return sorted(zeros, key=lambda t: (abs(float(t)), float(t)))
 

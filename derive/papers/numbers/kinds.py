@@ -15,7 +15,7 @@ from typing import Any
 from ...algebra import Quaternion, Tensor, Vector
 from ...algebra.matrix import shaped
 from .balls import Balls, precision
-from .draw import Draw, polynomial
+from .build import polynomial
 from .quantities import QUANTITIES as QUANTITIES
 from .quantities import Quantity as Quantity
 from .quantities import Role
@@ -79,7 +79,7 @@ def _numbers(pi: Any) -> dict[str, Numbers]:
 
 def _angles(pi: Any) -> dict[str, Numbers]:
     halves = {f"{k}*pi/2": (pi * Fraction(k, 2),) for k in (1, -1, 3)}
-    return {"0": (Fraction(0),), **halves, **{f"{k}*pi": (pi * k,) for k in (1, -1, 2, -2, 3, 4)}}
+    return {"0": (Fraction(0),), **halves, **{f"{k}*pi": (pi * k,) for k in (1, -1, 2, -2, 3, 4, 5)}}
 
 
 def _vectors(pi: Any) -> dict[str, Numbers]:
@@ -93,7 +93,8 @@ def _rational(**rows: Numbers) -> Callable[[Any], Mapping[str, Numbers]]:
     return lambda pi: found
 
 
-_axes = _rational(first_axis=(1, 1, 0), third_axis=(1, 0, 0), minus_third_axis=(0, 1, 0), in_plane=(1, 0, -1))
+_axes = _rational(first_axis=(1, 1, 0), second_axis=(1, 0, 1), third_axis=(1, 0, 0), minus_third_axis=(0, 1, 0),
+                  in_plane=(1, 0, -1))  # fmt: skip
 _turns = _rational(identity=(1, 0, 0, 0), half_turn=(0, 1, -2, 2), about_an_axis=(0, 0, 0, 1), quarter=(1, 1, 0, 0),
                    beyond_a_half_turn=(-1, 1, 2, 1))  # fmt: skip
 _versors = _rational(one=(1, 0, 0, 0), minus_one=(0, 1, 0, 0), half_turn=(3, 1, -2, 2), beyond=(1, 2, 1, -2))
@@ -153,18 +154,6 @@ def special(kind: Kind) -> dict[str, Numbers]:
     """Return the special coordinates of a kind by label."""
     with precision(SPECIAL_BITS):
         return dict(kind.special(Balls().pi))
-
-
-def drawn(name: str, draw: Draw) -> Any:
-    """Return a value of a kind by seeded coordinates."""
-    kind = KINDS[name]
-    signed = draw.real if kind.forward or kind.spread == "positive" else draw.signed
-    first = [1] * kind.projective
-
-    def coordinate() -> Any:
-        return draw.number(signed()) if kind.dual else draw.plain(signed(), 0 if kind.constant else draw.signed())
-
-    return kind.build([*first, *(coordinate() for _ in range(kind.size - len(first)))])
 
 
 def _exact(kind: Kind) -> Callable[[Any, str], Any]:

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 from ...algebra import Dual, Quaternion, Tensor
 from ...maps.first_principles import tensor_by_sandwich as rotation
-from .draw import polynomial
+from .build import polynomial
 from .fields import Field
 
 if TYPE_CHECKING:

@@ -67,10 +67,10 @@ CONDITIONS = [
     ("acos(cos(x)) == x", X, "0 <= x and x <= pi"), ("rate(norm(v)) == dot(v, rate(v))/norm(v)", V, "norm(v) != 0"),
     ("inverse(dexp(v))*dexp(v) == I", V, "norm(v) != 2*k*pi for k = 1, 2, …"),
     ("norm(x*v) == x*norm(v)", {**X, **V}, "x*norm(v) >= 0"), ("tan(a)*cos(a) == sin(a)", A, "cos(a) != 0"),
-    ("rate(b)/b*b == rate(b)", {"b": "dual number"}, "b != 0"),
+    ("rate(b)/b*b == rate(b)", {"b": "dual number"}, "re(b) != 0"),
     ("limit(sin(t*norm(v))/t, t, 0)/norm(v) == 1", V, "norm(v) != 0"),
     ("limit(sin(t*x)/(t*x), t, 0) == 1", X, "limit(sin(t*x)/(t*x), t, 0) has a value"),
-    ("acos(cos(x)) == -x", X, "x <= 0 and norm(x) <= pi"),
+    ("acos(cos(x)) == -x", X, "-pi <= x and x <= 0"),
     *((f"({f})/({f}) == 1", letters, f"{f} != 0") for f, letters in MEETING),
     ("atan2(sin(a)*cos(b), cos(a)*cos(b)) == a", {"b": "angle", **A}, "cos(b) > 0 and norm(a) < pi"),
 ]  # fmt: skip

@@ -78,7 +78,7 @@ def test_equations_are_chosen_by_string_or_list():
 BASE = ("derive", "papers")
 PACKAGES = tuple(paper.package.rpartition(".")[2] for paper in PAPERS if paper.package)
 DECIDING = ("sharp", "claim", "constrained", "singular", "zeros", "places", "conditions", "regions", "changes", "near",
-            "proof", "witness", "decide", "entry_certificate", "transcript", "sheet", "run")  # fmt: skip
+            "proof", "witness", "finding", "decide", "entry_certificate", "transcript", "sheet", "run")  # fmt: skip
 ENTRIES = ("equation", "result")
 ROOMS = ("numbers", "language", *ENTRIES, *PACKAGES, *DECIDING, "report", "")
 """Import order: each subpackage or module may import itself and earlier ones; the empty name is derive.papers."""

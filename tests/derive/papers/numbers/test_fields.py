@@ -9,8 +9,8 @@ import pytest
 from derive.algebra import Dual, Quaternion, Tensor, Vector, ZeroDivisorError
 from derive.algebra.element import NotExactError
 from derive.papers.numbers.balls import Ball, Balls, arb, precision
-from derive.papers.numbers.draw import Draw
 from derive.papers.numbers.fields import Exact, Field, UndefinedError, integer_power
+from derive.papers.numbers.kinds import versor
 
 pytestmark = pytest.mark.smoke
 
@@ -18,6 +18,12 @@ pytestmark = pytest.mark.smoke
 def ball(number: str) -> Ball:
     """Return a decimal number or fraction as a ball."""
     return Ball(arb(Fraction(number)))
+
+
+def unit() -> Quaternion:
+    """Return a unit dual quaternion."""
+    parts = (("1", "3"), ("1/2", "1"), ("-1/3", "2"), ("1", "1/5"))
+    return versor([Dual(ball(re), ball(du)) for re, du in parts])
 
 
 def test_roots_of_squares_are_exact_and_others_refused() -> None:
@@ -50,7 +56,7 @@ def test_balls_refuse_undefined_values() -> None:
 def test_roots_of_quaternions_are_principal() -> None:
     with precision(256):
         field = Balls()
-        q = Draw("root").quaternion(Fraction(9, 10))
+        q = unit()
         half = field.power(q, Fraction(1, 2))
         assert all(field.same(a.re, b.re) and field.same(a.du, b.du) for a, b in zip(half * half, q, strict=True))
         assert half.scalar.re > 0
@@ -96,7 +102,7 @@ def test_missing_functions_are_refused(call, what: str) -> None:
 @pytest.mark.parametrize("exponent", [Fraction(1, 3), Fraction(2, 3), Fraction(3, 2), Fraction(-1, 2), Fraction(5, 4)])
 def test_rational_powers_of_quaternions(exponent: Fraction) -> None:
     with precision(256):
-        field, q = Balls(), Draw("powers").quaternion(ball("0.4")) * ball("2")
+        field, q = Balls(), unit() * ball("2")
         power = field.power(q, exponent)
         whole, other = integer_power(power, exponent.denominator), integer_power(q, exponent.numerator)
         assert all(field.same(a.re, b.re) and field.same(a.du, b.du) for a, b in zip(whole, other, strict=True))

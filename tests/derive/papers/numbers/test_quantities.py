@@ -13,9 +13,9 @@ from derive.papers.equation import equation
 from derive.papers.language.operator_table import equal
 from derive.papers.language.printed import Symbol
 from derive.papers.numbers.balls import Ball, Balls, arb, precision
-from derive.papers.numbers.draw import Draw, polynomial, sphere
+from derive.papers.numbers.build import polynomial, sphere
 from derive.papers.numbers.generic import Generic
-from derive.papers.numbers.kinds import KINDS, drawn, special
+from derive.papers.numbers.kinds import KINDS, special
 from derive.papers.numbers.quantities import QUANTITIES
 
 EXACT = [quantity for quantity in QUANTITIES.values() if quantity.exact is not None]
@@ -34,7 +34,7 @@ def at_special(name: str, label: str):
 def test_generic_value_is_of_the_type_of_values_at_points(quantity, dual: bool) -> None:
     symbol = Symbol("a", quantity.name)
     value = Generic([symbol], dual, moving=False).values[symbol]
-    built = drawn(quantity.name, Draw("type"))
+    built = KINDS[quantity.name].build([Fraction(1, k) for k in range(1, KINDS[quantity.name].size + 1)])
     assert all(hasattr(value, part) == hasattr(built, part) for part in ("norm2", "dot", "rows"))
 
 
@@ -85,7 +85,7 @@ def test_constants_have_their_values() -> None:
 def test_quantities_with_separate_real_and_dual_parts() -> None:
     apart = {quantity.name for quantity in QUANTITIES.values() if quantity.apart}
     real = {name for name, kind in KINDS.items() if not kind.dual} - {"rotation", "smooth function"}
-    assert apart == {*real, "real tensor", "real quaternion", "proposition", "line", "dual unit"}
+    assert apart == {*real, "real tensor", "real quaternion", "proposition", "line", "dual unit", "function of parts"}
 
 
 def test_exact_values_have_the_declared_number_of_symbols() -> None:
@@ -95,40 +95,7 @@ def test_exact_values_have_the_declared_number_of_symbols() -> None:
         assert len(declared) == quantity.size
 
 
-# ---- seeded values ---------------------------------------------------------------------------------------------------
-
-
-def test_numbers_are_short_and_away_from_zero() -> None:
-    draw = Draw("range")
-    signed = [draw.signed() for _ in range(100)]
-    assert {a > 0 for a in signed} == {False, True}
-    assert all(Fraction(1, 5) <= abs(a) <= Fraction(9, 10) for a in signed)
-    assert [Draw("a").signed() for _ in range(3)] == [Draw("a").signed() for _ in range(3)]
-
-
-@pytest.mark.parametrize("moving", [False, True])
-def test_layout_of_parts(moving: bool) -> None:
-    draw = Draw("parts", moving)
-    vector = draw.still((1, 2, 3), (4, 5, 6))
-    other = draw.vector((1, 2, 3), (4, 5, 6))
-    number = draw.number(7, 8)
-    if moving:
-        assert all(part.du == 0 for c in vector for part in (c.re, c.du))
-        assert all(part.du != 0 for c in (*other, number) for part in (c.re, c.du))
-        now = [Dual(c.re.re, c.du.re) for c in (*vector, *other, number)]
-    else:
-        now = [*vector, *other, number]
-    expected = [Dual(1, 4), Dual(2, 5), Dual(3, 6)]
-    assert now == [*expected, *expected, Dual(7, 8)]
-
-
-def test_parts_not_given_are_drawn() -> None:
-    draw = Draw("rest")
-    assert all(c.re != 0 != c.du for c in draw.vector())
-    assert [c.re for c in draw.vector(re=(1, 2, 3))] == [1, 2, 3]
-    assert [c.du for c in draw.vector(du=(1, 2, 3))] == [1, 2, 3]
-    assert draw.number(0).du != 0
-    assert draw.number(1, 0).du == 0
+# ---- builders of values ----------------------------------------------------------------------------------------------
 
 
 def test_projected_points_lie_on_the_sphere() -> None:
@@ -138,16 +105,6 @@ def test_projected_points_lie_on_the_sphere() -> None:
         assert u.dot(u) == Dual(1, 0)
         for side, c in ((s, u.c1), (t, u.c2)):  # stereographic projection from (0, 0, −1)
             assert side * (1 + u.c3) == c
-
-
-@pytest.mark.parametrize("half", ["0.3", "1.3", "2.9"])
-def test_quaternions_have_the_half_angle_asked_for(half: str) -> None:
-    with precision(256):
-        angle, field = Ball(arb(Fraction(half))), Balls()
-        q = Draw(half).quaternion(angle)
-        assert field.same(q.scalar.re, field.cos(angle))
-        assert field.same(q.norm2().re, 1)
-        assert field.same(q.norm2().du, 0)
 
 
 # ---- functions -------------------------------------------------------------------------------------------------------
@@ -167,5 +124,5 @@ def test_special_function_is_the_exponential() -> None:
 
 
 def test_derivatives_match_the_function() -> None:
-    f, a = drawn("smooth function", Draw("f")), Fraction(7, 10)
+    f, a = polynomial([1, 2, 3]), Fraction(7, 10)
     assert f(Dual(a, 2)) == Dual(f(a), 2 * f.derivative(a))
