@@ -50,7 +50,7 @@ from ..output.progress import bar, no_op
 from .claim import ORDERS
 from .decide import decide
 from .equation import Entry, Paper, Reading, UndecidedError, equation
-from .language.claims import ClaimError
+from .language.abbreviations import ClaimError
 from .result import Result, Status, Verdict
 from .run import SECONDS, decide_each
 from .sheet import Sheet, SheetError, claim_alone, load, sheet

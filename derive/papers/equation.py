@@ -23,7 +23,7 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 from ..output.typeset import Typeset
-from .language.claims import Abbreviation, contracted, expanded
+from .language.abbreviations import Abbreviation, contracted, expanded
 from .language.environment import Definition
 from .language.printed import Symbol, Term, latex, rate_depth, symbols, text, walk
 

@@ -19,8 +19,8 @@ from .language.written import written
 from .numbers.balls import BlurredError
 from .numbers.kinds import Kind, Numbers, special
 from .numbers.quantities import ORDER, SIGN
-from .singular import ABSENT, ORDERED, Singular, bare, is_integer, plain_in, singular, size
-from .zeros import FAR, Line, crossed, integers_at_zero
+from .singular import ABSENT, ORDERED, Singular, bare, is_integer, singular, size
+from .zeros import Line, at_integers, crossed
 
 SHORT = tuple(map(Fraction, (1, 2, -1, 3, -2)))
 """Numbers of the first points, so that counterexamples are short."""
@@ -30,8 +30,6 @@ ORDERS = (1, 1, 2, 2, 3, 4, 5, 9, 25)
 """Orders at which claims are evaluated, small ones more often."""
 BOUND = 1000
 """Size of integers and orders at which inequalities are tried."""
-INTEGERS_MAX = 64
-"""Size of the integers and orders at which zeros are sought."""
 PAIRS_MAX, PAIRS_BRIEF = 24, 8
 """Number of points with two special letters, and with fixed orders and branches."""
 PROJECTIONS_MAX = 40
@@ -238,40 +236,11 @@ class Probe:
                         self.roots.setdefault((part.part, letter), roots)
                         yield from places
                 if self.fixed is None and is_integer(letter):
-                    yield from self._at_integers(part, letter)
+                    yield from at_integers(self.claim, part, letter, self.drawn())
             moving = [a for a in letters if a in self.claim.coordinates and kind(a).spread != "integer"]
             free, met = sum(kind(a).size for a in moving), any(self.roots.get((part.part, a)) for a in letters)
             if free > 1 and not met and self.fixed is None:
                 yield from self._meeting(part)
-
-    def _at_integers(self, part: Singular, letter: Symbol) -> Iterator[Place]:
-        """Yield the points at whose integer a singular part vanishes or has another sign than before."""
-        at: dict[Symbol, Any] = self.drawn()
-        before: tuple[int, Any] | None = None
-
-        def place(n: int) -> Place:
-            label, value = f"{letter.name} = {n}", n if order else [Fraction(n)]
-            return Place(label, at | {letter: value}, on=label)
-
-        def value(n: int) -> Any:
-            try:
-                return part.number(self.claim, place(n))
-            except ABSENT:
-                return None
-
-        order = letter.quantity is ORDER
-        near: list[int] = list(range(1 if order else -INTEGERS_MAX, INTEGERS_MAX + 1))
-        far = [s * int(n) for n in FAR for s in ((1,) if order else (-1, 1))] if plain_in(part.part, letter) else []
-        for n in sorted({*near, *far}):
-            now = value(n)
-            if now is None:
-                continue
-            if now.contains(0):
-                yield from map(place, (m for m in (n, n - 1, n + 1) if m > 0 or not order))
-                continue
-            if before is not None and now * before[1] < 0:
-                yield from map(place, dict.fromkeys((*integers_at_zero(value, before[0], n, before[1]), n)))
-            before = n, now
 
     def _meeting(self, part: Singular) -> Iterator[Place]:
         """Yield a point where a part of several letters vanishes: between unlike signs, or where it touches 0."""

@@ -21,7 +21,7 @@ Pairs = list[tuple[Any, Any]]
 """Pairs of equal numbers in one exact field."""
 WAYS: tuple[Mapping[str, bool], ...] = ({}, {"turning": True}, {"framed": False})
 """Generic values: a vector's magnitude as the tangent of an angle, as an angle, and free components."""
-COMPONENTWISE = frozenset(("matrix", "block", "entry", "kron", "vec", "zeros"))
+COMPONENTWISE = frozenset(("vector", "matrix", "block", "entry", "kron", "vec", "zeros"))
 """First words of operators that depend on the frame."""
 
 

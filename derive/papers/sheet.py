@@ -14,8 +14,10 @@ from pathlib import Path
 from typing import Any
 
 from .equation import Entry, Paper, Reading
-from .language.claims import LITERALS, Abbreviation, ClaimError, Scope, expanded, statement, tree
+from .language.abbreviations import Abbreviation, ClaimError, Scope, expanded
+from .language.claims import statement, tree
 from .language.kinds import letter
+from .language.literals import LITERALS
 from .language.operations import CONSTANTS, OPERATIONS
 from .language.printed import Symbol, Term, Trait, with_trait
 from .transcript import READING_KEYS, Transcript

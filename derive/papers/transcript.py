@@ -12,7 +12,8 @@ from typing import Any
 
 from .claim import operators
 from .equation import Entry, Latex, Reading
-from .language.claims import CALL, CALLS, ClaimError, Scope, statement
+from .language.abbreviations import CALL, CALLS, ClaimError, Scope
+from .language.claims import statement
 from .language.environment import Definition, Env, let
 from .language.operator_table import nonzero
 from .language.printed import Apply, Number, Symbol, Term, Trait, shown_as, symbols, walk, with_trait
@@ -20,8 +21,6 @@ from .language.relations import unlike
 from .proof import COMPONENTWISE
 
 READING_KEYS = ("claim", "note", "supported_by")
-FRAMED = COMPONENTWISE | {"vector"}
-"""First words of operators that depend on the frame."""
 
 
 @dataclass(frozen=True)
@@ -52,7 +51,7 @@ class Transcript:
             row["number"], row.get("title", ""), line, Latex(row.get("latex", "")), readings,
             where=tuple(definition for definition, _ in definitions), claimed=domain, condition=_sharp(condition),
             stated=(line, row["stated"]) if "stated" in row else None, corrected=corrected, because=because,
-            moving=bool(with_trait(Trait.RATE, *inside)), components=bool(heads & FRAMED), source=self.source,
+            moving=bool(with_trait(Trait.RATE, *inside)), components=bool(heads & COMPONENTWISE), source=self.source,
             at=self._section(line), abbreviations=self.scope.abbreviations,
             **{key: row[key] for key in ("lost", "fixed_by", "said", "remark") if key in row},
         )  # fmt: skip

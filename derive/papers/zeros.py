@@ -17,7 +17,8 @@ from .language.printed import Symbol
 from .language.written import written
 from .numbers.balls import Ball, arb, flint, precision
 from .numbers.kinds import Numbers
-from .singular import ABSENT, Singular
+from .numbers.quantities import ORDER
+from .singular import ABSENT, Singular, plain_in
 
 FAR = tuple(map(Fraction, (30, 100, 1000, 10**4, 10**6, 10**12, 10**24)))
 """Values beyond the grid on which zeros are searched."""
@@ -27,6 +28,8 @@ NEAR = Fraction(1, 1000)
 """Distance of a point beside a zero, relative to the zero."""
 ASIDE = Fraction(1, 2**30)
 """Distance from a zero on the grid at which the search for others goes on, relative to the zero."""
+INTEGERS_MAX = 64
+"""Size of the integers and orders at which zeros are sought."""
 FINE, WIDTH = 512, 160
 """Bits of the search for zeros, and bits of a zero's position."""
 
@@ -202,7 +205,35 @@ def crossed(claim: Claim, part: Singular, one: Place, other: Place) -> Place | N
         return at(Ball(flint().arb(t, flint().arb(2) ** -WIDTH)))
 
 
-def integers_at_zero(value: Callable[[int], Any], low: int, high: int, at_low: Any) -> tuple[int, ...]:
+def at_integers(claim: Claim, part: Singular, letter: Symbol, at: dict[Symbol, Any]) -> Iterator[Place]:
+    """Yield the points at whose integer a singular part vanishes or has another sign than before, and beside it."""
+    order = letter.quantity is ORDER
+
+    def place(n: int) -> Place:
+        label, value = f"{letter.name} = {n}", n if order else [Fraction(n)]
+        return Place(label, at | {letter: value}, on=label)
+
+    def value(n: int) -> Any:
+        try:
+            return part.number(claim, place(n))
+        except ABSENT:
+            return None
+
+    before: tuple[int, Any] | None = None
+    far = [s * int(n) for n in FAR for s in (1, -1)] if plain_in(part.part, letter) else []
+    for n in sorted({*range(-INTEGERS_MAX, INTEGERS_MAX + 1), *far}):
+        now = None if order and n < 1 else value(n)
+        if now is None:
+            continue
+        if now.contains(0):
+            yield from (place(m) for m in (n, n - 1, n + 1) if m > 0 or not order)
+            continue
+        if before is not None and now * before[1] < 0:
+            yield from map(place, dict.fromkeys((*_at_zero(value, before[0], n, before[1]), n)))
+        before = n, now
+
+
+def _at_zero(value: Callable[[int], Any], low: int, high: int, at_low: Any) -> tuple[int, ...]:
     """Return the integer between two at which a number vanishes, or the two between which it changes its sign."""
     while high - low > 1:
         middle = (low + high) // 2
