@@ -19,6 +19,7 @@ changes                claims that differ from a claim in one step
 near                   changes that mend a claim, terms that do not matter, constraints that it needs
 proof                  proof of a claim at generic values of an exact field
 witness                counterexample with both sides, certified
+finding                decision of one claim: what its points and generic values tell
 decide                 decision of an entry
 entry_certificate      certificate of an entry: both sides of its equations as integer lists
 transcript             equations of a file that follows a paper's text, with stated conditions

@@ -1,17 +1,17 @@
-"""Entry for an equation or claim of a paper, and the rules for deciding it.
+"""Entry for an equation or claim of a paper, and the rules for deciding one in Python.
 
-An `Entry` is an entry: the printed formula and the definitions of its symbols. `decide` evaluates it and returns a
-`Result` with the computed status:
+An `Entry` has the printed formula and the definitions of its symbols. `decide` evaluates it and returns a `Result` with
+the computed status:
 
 * readings are listed by hand, the most charitable first. Apart from lost characters, each equals the extracted text;
-* every reading is evaluated at seeded 60-digit points, with special values of every symbol. One failure refutes it;
+* every reading is evaluated over balls at points, with special values of every symbol. One failure refutes it;
 * a reading without failure is then proved at generic values of an exact field, for symbolic n if n occurs. If no exact
   field is suitable, the points are only evidence, and the method says so;
 * ``holds``: a listed reading is true at all points. ``holds-if``: a listed reading is true under the entry's condition
   and fails somewhere outside it; both sides are tested. ``erratum``: no listed reading is true, and the correction is.
   ``ambiguous``: one reading is true, another is false, and the text does not decide between them.
 
-An entry that fits none of these raises `UndecidedError`.
+An entry in Python that fits none of these raises `UndecidedError`. The condition of a claim of a file is found.
 """
 
 from __future__ import annotations
