@@ -57,6 +57,8 @@ FALSE = [
     ("k != 5000", {"k": "integer"}), ("x**2 < 10**40", X), ("(x - 7/3)**2 > 1/10**8", X),
     ("(x - 7/3)**2 + (y - 1/7)**2 > 1/10**6", {"y": "real", **X}), ("s + 1/s > 2", {"s": "positive"}),
     ("log(R*S) == log(R) + log(S)", {"S": "rotation", **R}), ("sqrt(x**2) == norm(x) + 1/1000000", X),
+    ("(x - 1)*(x - 1001/1000) >= 0", X), ("(x - 1)*(x - 10000001/10000000) >= 0", X),
+    ("(k - 3)*(k - 5) >= 0", {"k": "integer"}), ("(n - 100)*(n - 102) >= 0", {"n": "order"}), ("floor(x) == 0", X),
 ]  # fmt: skip
 CONDITIONS = [
     ("sqrt((4 - x)**2) == 4 - x", X, "4 - x >= 0"), ("sqrt(cos(norm(v))**2) == cos(norm(v))", V, "cos(norm(v)) >= 0"),
@@ -70,7 +72,10 @@ CONDITIONS = [
     ("rate(b)/b*b == rate(b)", {"b": "dual number"}, "re(b) != 0"),
     ("limit(sin(t*norm(v))/t, t, 0)/norm(v) == 1", V, "norm(v) != 0"),
     ("limit(sin(t*x)/(t*x), t, 0) == 1", X, "limit(sin(t*x)/(t*x), t, 0) has a value"),
-    ("acos(cos(x)) == -x", X, "-pi <= x and x <= 0"),
+    ("acos(cos(x)) == -x", X, "-pi <= x and x <= 0"), ("acos(cos(x)) == 2*pi - x", X, "pi <= x and x <= 2*pi"),
+    ("sqrt((x - 500)**2) == x - 500", X, "x - 500 >= 0"), ("sqrt(x - 50)**2 == x - 50", X, "x - 50 >= 0"),
+    ("x**(1/2)*x**(1/2) == x", X, "x >= 0"), ("x**(1/3)*x**(2/3) == x", X, "x > 0"),
+    ("(a - b)/(a - b) == 1", {"a": "dual number", "b": "dual number"}, "re(a - b) != 0"),
     *((f"({f})/({f}) == 1", letters, f"{f} != 0") for f, letters in MEETING),
     ("atan2(sin(a)*cos(b), cos(a)*cos(b)) == a", {"b": "angle", **A}, "cos(b) > 0 and norm(a) < pi"),
 ]  # fmt: skip
@@ -133,6 +138,17 @@ def test_changes_in_one_step(text: str, letters: dict[str, str], first: str) -> 
     found = judged(text, letters)
     assert len(found.changes) <= 3
     assert any(change.startswith(first) for change in found.changes) == bool(first)
+
+
+def test_points_are_told_before_a_proof() -> None:
+    told: list[Result] = []
+    (entry,) = claim_alone("cross(v, w) == skew(v)*w", VW).entries()
+    assert decide("sheet", entry, early=told.append).certainty == "exact"
+    assert [result.certainty for result in told] == ["evidence", "exact"]
+
+
+def test_term_is_vacuous_only_if_the_changed_claim_has_values() -> None:
+    assert judged("acos(1 - 2*x**2) == 2*asin(x)", X).vacuous == ()
 
 
 def test_constraints_are_named() -> None:
