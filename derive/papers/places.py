@@ -81,7 +81,7 @@ class Probe:
 
     def quick(self) -> Iterator[Place]:
         """Yield the first points in the stated domain: short numbers, then generic ones."""
-        return self._moved(self._quick())
+        return self._moved(chain(self._short(), self._generic()))
 
     def all(self) -> Iterator[Place]:
         """Yield all points in the stated domain; quick refutations come first."""
@@ -126,10 +126,6 @@ class Probe:
                 self._projections += 1
                 yield moved
 
-    def _quick(self) -> Iterator[Place]:
-        yield from self._short()
-        yield from self._generic()
-
     def _short(self) -> Iterator[Place]:
         for i in range(3):
             at: dict[Symbol, Any] = self._discrete()
@@ -152,8 +148,8 @@ class Probe:
                 self._zeros(), islice(self._wide(), 4, 5), islice(self._pairs(), PAIRS_BRIEF),
             ]  # fmt: skip
         else:
-            stages = [self._quick(), self._wide(), self._far(), self._special(), self._related(), self._zeros(),
-                      self._pairs()]  # fmt: skip
+            stages = [self._short(), self._generic(), self._wide(), self._far(), self._special(), self._related(),
+                      self._zeros(), self._pairs()]  # fmt: skip
         for place in chain.from_iterable(stages):
             yield replace(place, label=f"{self.label}{place.label}") if self.label else place
 
@@ -223,7 +219,8 @@ class Probe:
                     yield Place(f"{one.name} across {other.name}", {**at, one: list(across)}, pair=True)
 
     def _zeros(self) -> Iterator[Place]:
-        stated = list(singular(self.claim.entry.condition)) if self.claim.entry.condition is not None else []
+        condition = self.claim.entry.condition
+        stated = [] if condition is None else list(singular(condition))
         for part in singular(*self.claim.parts):
             letters = [a for a in self.claim.letters if a in symbols(part.part)]
             defined = any(a in self.claim.entry.definitions for a in symbols(part.part))
@@ -273,15 +270,13 @@ class Probe:
 
     def roots_along(self, part: Term, letter: Symbol) -> tuple[str, list[float]] | None:
         """Return the name of a letter's value and the values at which a part vanishes, if they are those of a line."""
-        line = next(self.lines(letter), None)
-        part = bare(part)
-        known = self.roots.get((part, letter))
+        line, part = next(self.lines(letter), None), bare(part)
         if line is None or not (line.radial or kind(letter).size == 1):
             return None
         found = line.roots(Singular(part, size))
-        if known is not None and (len(known) != len(found) or any(abs(a - b) > 1e-9 for a, b in zip(known, found))):
-            return None
-        return line.shown, found
+        known = self.roots.get((part, letter), found)
+        alike = len(known) == len(found) and all(abs(a - b) < 1e-9 for a, b in zip(known, found))
+        return (line.shown, found) if alike else None
 
     def lines(self, letter: Symbol) -> Iterator[Line]:
         """Yield lines of points: multiples of a vector, and a line through another point."""
