@@ -158,8 +158,8 @@ def special(kind: Kind) -> dict[str, Numbers]:
 
 def _exact(kind: Kind) -> Callable[[Any, str], Any]:
     def value(generic: Any, name: str) -> Any:
-        first = [1] * kind.projective
-        numbers = [generic.real(generic.number(name, i, constant=kind.constant)) for i in range(kind.size - len(first))]
+        first, still = [1] * kind.projective, kind.constant or kind.spread == "integer"
+        numbers = [generic.real(generic.number(name, i, constant=still)) for i in range(kind.size - len(first))]
         return kind.build([*first, *([numbers[0] ** 2] if kind.spread == "positive" else numbers)])
 
     return value
