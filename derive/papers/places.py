@@ -30,6 +30,8 @@ ORDERS = (1, 1, 2, 2, 3, 4, 5, 9, 25)
 """Orders at which claims are evaluated, small ones more often."""
 BOUND = 1000
 """Size of integers and orders at which inequalities are tried."""
+STARTS = ((0.5, 1.5), (1, 5)) * 4
+"""Sizes of the coordinates from which a zero of several letters is approached; many starts lead nowhere."""
 PAIRS_MAX, PAIRS_BRIEF = 24, 8
 """Number of points with two special letters, and with fixed orders and branches."""
 PROJECTIONS_MAX = 40
@@ -251,7 +253,7 @@ class Probe:
             if len(ends) == 2:
                 break
         found: Place | None = None
-        for start in (Place("", self.drawn(low, high)) for low, high in ((0.5, 1.5), (1, 5))):
+        for start in (Place("", self.drawn(low, high)) for low, high in STARTS):
             if len(ends) < 2 and found is None:
                 found = self._allowed(touching(claim, start, part.part, part.size))
                 with suppress(*ABSENT):
