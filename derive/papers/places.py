@@ -30,8 +30,6 @@ ORDERS = (1, 1, 2, 2, 3, 4, 5, 9, 25)
 """Orders at which claims are evaluated, small ones more often."""
 BOUND = 1000
 """Size of integers and orders at which inequalities are tried."""
-STARTS = ((0.5, 1.5), (1, 5)) * 4
-"""Sizes of the coordinates from which a zero of several letters is approached; many starts lead nowhere."""
 PAIRS_MAX, PAIRS_BRIEF = 24, 8
 """Number of points with two special letters, and with fixed orders and branches."""
 PROJECTIONS_MAX = 40
@@ -239,7 +237,15 @@ class Probe:
             moving = [a for a in letters if a in self.claim.coordinates and kind(a).spread != "integer"]
             free, met = sum(kind(a).size for a in moving), any(self.roots.get((part.part, a)) for a in letters)
             if free > 1 and not met and self.fixed is None:
-                yield from self._meeting(part)
+                along = [found for line in self._parallel(moving) for found in line.places(part)[1]]
+                yield from along or self._meeting(part)
+
+    def _parallel(self, letters: Sequence[Symbol]) -> Iterator[Line]:
+        """Yield the line of multiples of one vector for another: there turns about one axis add up."""
+        vectors = [a for a in letters if kind(a).size == 3 and not kind(a).projective]
+        for a, b in islice(combinations(vectors, 2), 1):
+            at = self.drawn(0.5, 1.5)
+            yield Line(self.claim, at, b, [Fraction(0)] * 3, at[a])
 
     def _meeting(self, part: Singular) -> Iterator[Place]:
         """Yield a point where a part of several letters vanishes: between unlike signs, or where it touches 0."""
@@ -253,7 +259,7 @@ class Probe:
             if len(ends) == 2:
                 break
         found: Place | None = None
-        for start in (Place("", self.drawn(low, high)) for low, high in STARTS):
+        for start in (Place("", self.drawn(low, high)) for low, high in ((0.5, 1.5), (1, 5))):
             if len(ends) < 2 and found is None:
                 found = self._allowed(touching(claim, start, part.part, part.size))
                 with suppress(*ABSENT):
