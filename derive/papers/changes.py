@@ -9,23 +9,24 @@ from .language.calculus import BINDERS
 from .language.matrices import inverse, transpose
 from .language.operator_table import conjugate
 from .language.printed import Apply, Number, Symbol, Term, symbols
+from .language.written import written
 
 Change = tuple[int, str, str, Term]
 """Rank (simplest first), sort, words, and the changed claim or part."""
-Name = Callable[[Term], str]
-"""Function that prints a term."""
 SWAPPED = {"cross": "cross product", "times": "product", "dyad": "dyadic product", "over": "quotient",
            "atan2 of two": "arguments"}  # fmt: skip
+CANDIDATES_MAX = 400
+"""Largest number of changes that are tried."""
 SIGNED = ("plus", "minus")
 RELATIONS = ("equal", "both", "implies", "less", "at most", "greater", "at least", "unlike", "negated", "or")
 
 
-def changes(claim: Term, named: Name) -> list[Change]:
-    """Return the claims that differ from a claim in one step, simplest first; `named` prints a term."""
+def changes(claim: Term) -> list[Change]:
+    """Return the claims that differ from a claim in one step, simplest first."""
     quaternions = any("quaternion" in symbol.quantity.name for symbol in symbols(claim))
     found: dict[Term, Change] = {}
     for node, rebuilt, depth in _places(claim):
-        for rank, sort, words, new in _steps(node, named, depth):
+        for rank, sort, words, new in _steps(node, depth):
             changed = rebuilt(new)
             trivial = len(set(changed.arguments)) < 2 or changed == claim
             if not trivial and (quaternions or sort != "conjugate"):
@@ -33,20 +34,20 @@ def changes(claim: Term, named: Name) -> list[Change]:
     return sorted(found.values(), key=lambda change: change[0])
 
 
-def signs_and_coefficients(claim: Term, named: Name) -> Iterator[tuple[str, Term]]:
+def signs_and_coefficients(claim: Term) -> Iterator[tuple[str, Term]]:
     """Yield the claims with one sign or one integer changed, each with the words for the term."""
     for node, rebuilt, _ in _places(claim):
         name, arguments = node.operator.name, node.arguments
         if name in SIGNED:
             other = SIGNED[name == "plus"]
-            yield f"sign of {named(arguments[1])}", rebuilt(Apply(other, *arguments))
+            yield f"sign of {written(arguments[1])}", rebuilt(Apply(other, *arguments))
         elif name == "negative":
-            yield f"sign of {named(arguments[0])}", rebuilt(arguments[0])
+            yield f"sign of {written(arguments[0])}", rebuilt(arguments[0])
         elif name in ("times", "over"):
             for i, argument in enumerate(arguments):
                 if isinstance(argument, Number) and argument.value:
                     changed = [*arguments[:i], Number(argument.value + 1), *arguments[i + 1 :]]
-                    yield f"coefficient {argument.value} of {named(node)}", rebuilt(Apply(name, *changed))
+                    yield f"coefficient {argument.value} of {written(node)}", rebuilt(Apply(name, *changed))
 
 
 def _places(
@@ -65,18 +66,18 @@ def _places(
         yield from _places(argument, replaced, depth + (node.operator.name not in RELATIONS))
 
 
-def _steps(node: Term, named: Name, depth: int) -> Iterator[Change]:
+def _steps(node: Term, depth: int) -> Iterator[Change]:
     """Yield the changes of one part; those of letters and of whole sides rank before those of other parts."""
-    name, arguments, shown = node.operator.name, node.arguments, named(node)
+    name, arguments, shown = node.operator.name, node.arguments, written(node)
     if name in SIGNED:
-        yield 0, "sign", f"sign of {named(arguments[1])}", Apply(SIGNED[name == "plus"], *arguments)
-        yield 1, "sign", f"sign of {named(arguments[0])}", Apply(name, -arguments[0], arguments[1])
+        yield 0, "sign", f"sign of {written(arguments[1])}", Apply(SIGNED[name == "plus"], *arguments)
+        yield 1, "sign", f"sign of {written(arguments[0])}", Apply(name, -arguments[0], arguments[1])
     if name == "negative":
-        yield 0, "sign", f"sign of {named(arguments[0])}", arguments[0]
+        yield 0, "sign", f"sign of {written(arguments[0])}", arguments[0]
     if name in SWAPPED:
         yield 2, "swapped", f"{SWAPPED[name]} swapped in {shown}", Apply(name, *reversed(arguments))
     if name in (transpose.name, inverse.name, "conjugate"):
-        yield 1, name.split()[0], f"no {name.split()[0]} of {named(arguments[0])}", arguments[0]
+        yield 1, name.split()[0], f"no {name.split()[0]} of {written(arguments[0])}", arguments[0]
     for pair in _moved(node):
         yield 4, "bracket", f"bracket moved in {shown}", pair
     if isinstance(node, Number):

@@ -3,28 +3,30 @@
 from __future__ import annotations
 
 import random
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from functools import cached_property
 from typing import Any
 
-from ..algebra import Dual
+from ..algebra import Dual, Structure
 from ..algebra.element import NotExactError
 from .equation import Entry
 from .language.environment import Env
 from .language.operator_table import both, epsilon, equal
-from .language.printed import Symbol, Term, Trait, symbols, walk, with_trait
+from .language.printed import Symbol, Term, Trait, rate_depth, symbols, walk, with_trait
 from .numbers.balls import PRECISIONS, Ball, Balls, BlurredError, arb, precision
-from .numbers.draw import jet
+from .numbers.build import jet
 from .numbers.fields import Field
 from .numbers.kinds import KINDS, Kind, Numbers
-from .numbers.quantities import ORDER, SIGN
+from .numbers.quantities import BRANCH, ORDER, SIGN
 
 RATES_MAX = 2
 """Highest order of a time derivative for which letters have rates."""
 FURTHER = tuple(map(Fraction, (-3, -2, -1, 1, 2, 3)))
 """Dual parts and rates of coordinates."""
+ORDERS = (1, 2, 3, 4, 5)
+"""Orders at which statements are tried and, without a proof for every order, proved."""
 Coordinates = Mapping[Symbol, Numbers]
 
 
@@ -36,8 +38,8 @@ class RefusedError(Exception):
 class Place:
     """Point at which a claim is evaluated.
 
-    `generic` points are drawn without relation between letters and near 1, where a region of truth shows; `on` tells
-    what is special about a point that lies on a zero set.
+    `generic` points are drawn without relation between letters and near 1, where a region of truth shows; `pair` ones
+    have two special letters. `on` tells what is special about a point that lies on a zero set.
     """
 
     label: str
@@ -45,27 +47,29 @@ class Place:
     generic: bool = False
     on: str = ""
     parts: Mapping[Symbol, Numbers] = field(default_factory=dict)  # dual parts and rates, if not by a fixed seed
+    values: Mapping[Symbol, Any] = field(default_factory=dict)  # values that coordinates do not reach
+    pair: bool = False
 
 
 @dataclass(frozen=True)
 class Claim:
-    """Statement with its stated domain and the entry that contains both."""
+    """Statement with its stated domain and the entry that contains both, and the orders at which it is tried."""
 
     entry: Entry
     statement: Term
-    lenient: bool = False  # whether a dual vector with real part 0 has a magnitude, as in the two papers
+    orders: Sequence[int] = ORDERS
 
     @cached_property
     def parts(self) -> tuple[Term, ...]:
-        """Statement and domain."""
-        return self.statement, *((self.entry.claimed,) if self.entry.claimed is not None else ())
+        """Statement, domain and condition."""
+        return self.statement, *(part for part in (self.entry.claimed, self.entry.condition) if part is not None)
 
     @cached_property
     def letters(self) -> tuple[Symbol, ...]:
         """Free letters; raise if one has no kind."""
         found = self.entry.free(self.statement)
         for letter in found:
-            if letter.quantity.name not in KINDS and letter.quantity not in (ORDER, SIGN):
+            if letter.quantity.name not in KINDS and letter.quantity not in (ORDER, BRANCH, SIGN):
                 raise RefusedError(f"the letter {letter.name} is a {letter.quantity.name}, which cannot be drawn")
         return found
 
@@ -75,20 +79,32 @@ class Claim:
         return tuple(letter for letter in self.letters if letter.quantity.name in KINDS)
 
     @cached_property
+    def choices(self) -> tuple[dict[Symbol, int], ...]:
+        """Values of orders, branches and signs, all letters of a kind alike."""
+        order, branch, sign = ([a for a in self.letters if a.quantity is row] for row in (ORDER, BRANCH, SIGN))
+        orders = tuple(n for n in self.orders if self.entry.orders is None or n in self.entry.orders)
+        return tuple(
+            {**dict.fromkeys(order, n), **dict.fromkeys(branch, k), **dict.fromkeys(sign, s)}
+            for n in (orders or self.entry.orders or self.orders if order else (1,))
+            for k in range((self.entry.branches or n) if branch else 1) for s in ((1, -1) if sign else (1,))
+        )  # fmt: skip
+
+    @cached_property
     def constraints(self) -> tuple[Term, ...]:
         """Equations in the stated domain, which points must be moved to satisfy."""
-        return tuple(_equations(self.entry.claimed)) if self.entry.claimed is not None else ()
+        stated = self.entry.claimed
+        return tuple(_equations(stated)) if stated is not None and self.entry.of_file else ()
 
     @cached_property
     def dual(self) -> bool:
         """Whether dual numbers occur."""
         apart = bool(with_trait(Trait.APART, *self.parts)) or epsilon in (a for p in self.parts for a in symbols(p))
-        return apart or any(kind(letter).dual for letter in self.coordinates)
+        return apart or bool(self.entry.where) or any(kind(letter).dual for letter in self.coordinates)
 
     @cached_property
     def depth(self) -> int:
         """Highest order of a time derivative."""
-        depth = max(map(rate_depth, self.parts))
+        depth = max(self.entry.moving, *map(rate_depth, self.parts))
         if depth > RATES_MAX:
             raise RefusedError(f"rates are nested more than {RATES_MAX} deep")
         return depth
@@ -97,8 +113,21 @@ class Claim:
         """Return the environment at a point, over balls by default."""
         values: dict[Symbol, Any] = {a: value for a, value in place.at.items() if a not in self.coordinates}
         for letter in self.coordinates:
-            values[letter] = self._value(letter, place, field)
-        return Env(field or Balls(self.lenient), values, self.entry.definitions, self.dual, self.depth)
+            values[letter] = self.value(letter, place, field)
+        balls = Balls(lenient=not self.entry.of_file)
+        values |= {a: _lifted(value) for a, value in place.values.items()}
+        return Env(field or balls, values, self.entry.definitions, self.dual, self.depth)
+
+    @cached_property
+    def _last(self) -> dict[str, Any]:
+        return {}
+
+    def _env_at(self, place: Place, bits: int) -> Env:
+        """Return the environment at a point; domain, condition and statement share the last one."""
+        if self._last.get("place") is not place or self._last["bits"] != bits:
+            self._last.update(place=place, bits=bits, env=self.env(place))
+        found: Env = self._last["env"]
+        return found
 
     def further(self, letter: Symbol, place: Place) -> Numbers:
         """Return the dual parts and rates of a letter's coordinates, by a fixed seed if the point gives none."""
@@ -109,12 +138,14 @@ class Claim:
         count = row.size * ((1 + self.depth) * (1 + row.dual) - 1)
         return [source.choice(FURTHER) for _ in range(count)]
 
-    def _value(self, letter: Symbol, place: Place, field: Field | None) -> Any:
+    def value(self, letter: Symbol, place: Place, field: Field | None = None) -> Any:
         """Return the value of a letter: each coordinate with its rates, its dual part and the rates of this."""
         row, coordinates = kind(letter), place.at[letter]
         if row.spread == "integer" and not self.dual and not self.depth:
             return int(coordinates[0])
         number = (lambda c: c) if field else (lambda c: Ball(arb(c)))
+        if row.still:
+            return row.build([number(c) for c in coordinates])
         further = iter(self.further(letter, place))
         still = row.constant or row.spread == "integer"
 
@@ -143,7 +174,7 @@ class Claim:
         for bits in PRECISIONS:
             with precision(bits):
                 try:
-                    return form(self.env(place).value(part))
+                    return form(self._env_at(place, bits).value(part))
                 except NotExactError:
                     raise
                 except ArithmeticError:
@@ -166,9 +197,11 @@ def kind(letter: Symbol) -> Kind:
     return KINDS[letter.quantity.name]
 
 
-def rate_depth(node: Term) -> int:
-    """Return how deep time derivatives are nested in a term."""
-    return max(map(rate_depth, node.arguments), default=0) + (Trait.RATE in node.operator.traits)
+def _lifted(value: Any) -> Any:
+    """Return a value with balls as numbers."""
+    if isinstance(value, Structure):
+        return value.map(_lifted)
+    return Dual(_lifted(value.re), _lifted(value.du)) if isinstance(value, Dual) else Ball(arb(value))
 
 
 def _equations(domain: Term) -> Iterator[Term]:

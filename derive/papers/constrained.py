@@ -49,7 +49,7 @@ def touching(claim: Claim, place: Place, part: Term, size: Callable[[Any], Any])
     """Return a nearby point where a number that does not change its sign vanishes, as the square of a length does.
 
     Such zeros lie on no line through another point. Steps of twice the tangent's length approach them; then Newton's
-    method finds the zero of the gradient.
+    method finds the zero of the gradient. Where the number changes its sign on the way, return the point beyond.
     """
     start, moved = _coordinates(claim, place, (part, *claim.constraints), further=False)
 
@@ -65,7 +65,9 @@ def touching(claim: Claim, place: Place, part: Term, size: Callable[[Any], Any])
 
     with precision(BITS):
         try:
-            x = _approached(value, gradient, start())
+            x, beyond = _approached(value, gradient, start())
+            if x is not None and beyond:
+                return moved(_wide(x))
             x = None if x is None else _solved(gradient, x, KEPT)
             if x is None or not abs(value([Ball(c) for c in x])) < flint().arb(2) ** -REACHED:
                 return None
@@ -74,21 +76,23 @@ def touching(claim: Claim, place: Place, part: Term, size: Callable[[Any], Any])
         return moved(_wide(x))
 
 
-def _approached(value: Any, gradient: Any, x: list[Any]) -> list[Any] | None:
-    """Return a point near a zero of a number of one sign, or None where it changes its sign or stays away from 0."""
+def _approached(value: Any, gradient: Any, x: list[Any]) -> tuple[list[Any] | None, bool]:
+    """Return a point near a zero of a number of one sign, or beyond its zeros; None where it stays away from 0."""
     first = last = value([Ball(c) for c in x])
     for i in range(APPROACH_MAX):
         slopes = gradient([Ball(c) for c in x])
         square = sum(c * c for c in slopes)
         if not square > 0:
-            return None
+            return None, False
         x = [(c - 2 * last * g / square).mid() for c, g in zip(x, slopes, strict=True)]
         last = value([Ball(c) for c in x])
+        if first * last < 0:
+            return x, True
         if not first * last > 0 or (i % 8 == 7 and not abs(last) < abs(first) / 2 ** (i // 8 + 1)):
-            return x if abs(last) < flint().arb(2) ** -KEPT else None
+            return (x if abs(last) < flint().arb(2) ** -KEPT else None), False
         if abs(last) < flint().arb(2) ** (-2 * KEPT):
             break
-    return x
+    return x, False
 
 
 def _coordinates(

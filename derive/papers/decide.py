@@ -1,195 +1,141 @@
-"""Decision of an entry: refutation at points, proof at generic values, test of both sides of a condition."""
+"""Decision of an entry: one procedure for entries in Python and for claims of files.
+
+Each reading is decided as a claim, and a correction alike. Of a claim of a file, changes in one step that make it true
+are sought, or terms that do not matter and constraints that it needs.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from contextlib import suppress
+from collections.abc import Callable, Sequence
 from dataclasses import replace
-from functools import partial
-from itertools import product
-from typing import Any
 
-from ..algebra.element import NotExactError
-from .claim import Claim, rate_depth
-from .conditions import branched
-from .equation import Entry, Reading, UndecidedError, faithful
-from .explore import Trial, counterexample, explore
-from .judge import ORDERS, Pairs, first_failure, steps_of
-from .language.environment import Env
-from .language.printed import Term, Trait, takes_apart, with_trait
-from .numbers.generic import Generic
-from .numbers.quantities import BRANCH, ORDER, SIGN
-from .probe import singular
+from .claim import ORDERS, Claim
+from .equation import Entry, Reading, UndecidedError, require_complete
+from .finding import Finding, Outcome, decided
+from .language.operator_table import both, implies
+from .language.printed import Term, Trait, with_trait
+from .near import mended, needed, vacuous
+from .places import places
+from .proof import proved
 from .result import Counterexample, Result, Status, Verdict
 from .sharp import is_sharp
-
-SHORT_DECIMALS = 1
-"""Decimals of the numbers in a counterexample, if the statement also fails at numbers this short."""
+from .witness import outside_words, shown_at
 
 
-def decide(paper: str, entry: Entry, lost: str, orders: Sequence[int] = ORDERS) -> Result:
-    """Return the result of an entry; ``paper`` is the paper's slug, ``lost`` the characters that its extraction lost.
+def decide(
+    paper: str, entry: Entry, lost: str = "", orders: Sequence[int] = ORDERS,
+    early: Callable[[Result], None] = lambda result: None,
+) -> Result:  # fmt: skip
+    """Return the result of an entry.
+
+    Parameters
+    ----------
+    paper : str
+        Slug of the paper.
+    entry : Entry
+        Printed equation or claim.
+    lost : str, optional
+        Characters that the extraction of the paper's text lost.
+    orders : sequence of int, optional
+        Orders n at which statements about n are evaluated.
+    early : callable, optional
+        Function that receives the result before the search for changes, terms and constraints, which may take long.
 
     Raises
     ------
     UndecidedError
-        If the entry is incomplete, or the computation contradicts its condition, correction or claimed domain.
+        If an entry in Python is incomplete, or the computation contradicts its condition, correction or domain.
     """
-    _check(entry, lost + entry.lost)
+    require_complete(entry, lost + entry.lost)
     if entry.because is not None:
-        _support(entry, entry.because)
-    orders = tuple(n for n in orders if entry.orders is None or n in entry.orders) or (entry.orders or orders)
-    listed = tuple(judge(entry, reading, orders) for reading in entry.readings)
-    verdicts = tuple(sorted(listed, key=lambda verdict: not verdict.true))
-    first, truths = verdicts[0], {verdict.true for verdict in listed}
-    supported = any(r.supported_by and not v.true for r, v in zip(entry.readings, listed, strict=True))
-    decided = entry.corrected if entry.corrected is not None else first.statement
-    sharp = entry.condition is not None and is_sharp(entry.condition, decided)
-    result = partial(Result, paper, entry, verdicts=verdicts, exact=sharp)
-    if first.true and (supported or (not entry.extract and len(truths) > 1)):  # the text does not decide
-        return result(Status.AMBIGUOUS, "; ".join(verdict.method for verdict in verdicts))
-    if first.true:
-        return result(Status.HOLDS if entry.condition is None else Status.HOLDS_IF, first.method)
+        _support(entry, entry.because, orders)
+    claims = [_premised(Claim(entry, reading.statement, orders)) for reading in entry.readings]
+
+    def result(*findings: Finding) -> Result:
+        return _result(paper, entry, claims, findings)
+
+    findings = [_settled(claim, lambda finding: early(result(finding))) for claim in claims]
+    found = result(*findings)
+    early(found)
+    if not entry.of_file or found.status not in (Status.FALSE, Status.HOLDS, Status.HOLDS_IF):
+        return found
+    ((claim, finding),) = zip(claims, findings, strict=True)
+    if finding.holds:
+        return replace(found, vacuous=tuple(dict.fromkeys(vacuous(claim, finding.true))), needs=tuple(needed(claim)))
+    for change in mended(claim, finding.failing, lambda other: decided(other).holds):
+        early(found := replace(found, changes=(*found.changes, change)))
+    return found
+
+
+def _result(paper: str, entry: Entry, claims: Sequence[Claim], findings: Sequence[Finding]) -> Result:
+    """Return the result of an entry by the findings of its readings."""
+    rows = sorted(zip(claims, findings, entry.readings, strict=True), key=lambda row: not row[1].holds)
+    (claim, finding, _), verdicts = rows[0], tuple(_verdict(*row) for row in rows)
+    status, method = finding.status, finding.method
+    if _is_ambiguous(entry, verdicts):
+        status, method = Status.AMBIGUOUS, "; ".join(verdict.method for verdict in verdicts)
+    elif status is Status.FALSE and (entry.corrected is not None or not entry.of_file):
+        status, method = _corrected(claim, finding)
+    decisive = claim.statement if entry.corrected is None else entry.corrected
+    return Result(
+        paper, entry, status, method, verdicts, entry.condition is not None and is_sharp(entry.condition, decisive),
+        finding.certainty, finding.points, finding.found, _outside(claim, finding), cuts=finding.cuts,
+    )  # fmt: skip
+
+
+def _settled(claim: Claim, early: Callable[[Finding], None]) -> Finding:
+    """Return the decision of a claim; an entry in Python that cannot be decided is a mistake of ours."""
+    finding = decided(claim, early)
+    if finding.status is Status.UNDECIDED and not claim.entry.of_file:
+        raise UndecidedError(f"({claim.entry.number}): {finding.method}")
+    return finding
+
+
+def _verdict(claim: Claim, finding: Finding, reading: Reading) -> Verdict:
+    example = None if finding.failing is None else shown_at(claim, finding.failing)
+    return Verdict(reading.statement, reading.note, finding.holds, finding.method, example)
+
+
+def _outside(claim: Claim, finding: Finding) -> Counterexample | None:
+    """Return the point outside the condition that was found."""
+    place = finding.outside
+    return None if place is None or not finding.holds else shown_at(claim, place, outside_words(claim, place))
+
+
+def _is_ambiguous(entry: Entry, verdicts: Sequence[Verdict]) -> bool:
+    """Return whether one reading is true, another false, and the text does not decide between them."""
+    true = {verdict.statement for verdict in verdicts if verdict.true}
+    supported = any(r.supported_by and r.statement not in true for r in entry.readings)
+    return bool(true) and (supported or (not entry.extract and len(true) < len(verdicts)))
+
+
+def _corrected(claim: Claim, finding: Finding) -> tuple[Status, str]:
+    """Return status and method of a false statement by its correction."""
+    entry = claim.entry
     if entry.corrected is None:
-        raise UndecidedError(f"({entry.number}) is false and has no correction: {first.method}")
-    correction = judge(entry, Reading(entry.corrected), orders)
-    if not correction.true:
+        raise UndecidedError(f"({entry.number}) is false and has no correction: {finding.method}")
+    correction = decided(claim.with_statement(entry.corrected))
+    if correction.holds:
+        return Status.ERRATUM, f"{finding.method}; correction {correction.method}"
+    if not entry.of_file:
         raise UndecidedError(f"({entry.number}): the correction is false: {correction.method}")
-    return result(Status.ERRATUM, f"{first.method}; correction {correction.method}")
+    return Status.FALSE, f"{finding.method}; the correction does not hold: {correction.method}"
 
 
-def _check(entry: Entry, lost: str) -> None:
-    """Raise if an entry lacks a part that another part needs, or does not agree with the extracted text."""
-    unfaithful = not all(faithful(reading.statement, entry.extract, lost) for reading in entry.readings)
-    mistakes = {
-        "an argument leads on from an identity that is proved": entry.argument and entry.because is None,
-        "rates are nested, which claims of files may do": any(rate_depth(r.statement) > 1 for r in entry.readings),
-        "a claimed domain and the words that state it come together": (entry.claimed is None) != (entry.stated is None),
-        f"a reading does not have the characters of line {entry.line}": entry.extract and unfaithful,
-        "an erratum shows the words of the paper": entry.corrected is not None and not (entry.extract or entry.said),
-        f"the correction is a reading of line {entry.line}":
-            entry.corrected is not None and entry.extract and faithful(entry.corrected, entry.extract, lost),
-    }
-    for mistake, made in mistakes.items():
-        if made:
-            raise UndecidedError(f"({entry.number}): {mistake}")
+def _premised(claim: Claim) -> Claim:
+    """Return the claim with the premise of an implication as part of the stated domain, of a file."""
+    while claim.entry.of_file and claim.statement.operator is implies:
+        premise, statement = claim.statement.arguments
+        claimed = premise if claim.entry.claimed is None else both(claim.entry.claimed, premise)
+        claim = replace(claim, entry=replace(claim.entry, claimed=claimed), statement=statement)
+    return claim
 
 
-def _support(entry: Entry, identity: Term) -> None:
+def _support(entry: Entry, identity: Term, orders: Sequence[int]) -> None:
     """Raise unless the supporting identity is proved; points where it is undefined are ignored."""
     moving = entry.moving or bool(with_trait(Trait.RATE, identity))
-    entry = replace(entry, condition=None, claimed=None, also=None, moving=moving)
-    refuted = next((o for o in explore(entry, identity, ORDERS) if o.truth is False), None)
-    if refuted is not None or prove(entry, identity, ORDERS) is None:
-        reason = "not exact" if refuted is None else f"false at {refuted.place}"
+    claim = Claim(replace(entry, condition=None, claimed=None, also={}, moving=moving), identity, orders)
+    at = Outcome().tried(claim, places(claim), lambda outcome: bool(outcome.false))
+    if at.false or proved(claim) is None:
+        reason = f"false at {at.false[0].label}" if at.false else "not exact"
         raise UndecidedError(f"({entry.number}): the supporting identity is not proved: {reason}")
-
-
-def judge(entry: Entry, reading: Reading, orders: Sequence[int]) -> Verdict:
-    """Return the verdict on one reading: evaluate it at points to refute it, then prove it exactly."""
-    verdict = partial(Verdict, reading.statement, reading.note)
-    trials = list(explore(entry, reading.statement, orders))
-    inside = [trial for trial in trials if trial.inside]
-    failed = next((trial for trial in inside if trial.truth is not True), None)
-    if failed is not None:
-        short = explore(entry, reading.statement, orders, SHORT_DECIMALS)
-        shown = next((trial for trial in short if trial.inside and trial.truth is False), failed)
-        return verdict(False, f"refuted at {failed.place}", counterexample(shown, entry, reading.statement))
-    if (refuted := _refuted(entry, reading.statement)) is not None:
-        return verdict(False, f"refuted at {refuted.point}", refuted)
-    outside = [trial for trial in trials if not trial.inside]
-    if not inside or (entry.condition is not None and not outside):
-        raise UndecidedError(f"({entry.number}): no point on {'both sides' if inside else 'the inside'} of its domain")
-    beyond = _beyond(entry, reading.statement, outside)
-    method = _method(entry, reading.statement, prove(entry, reading.statement, orders), len(inside))
-    return verdict(True, f"{method}; also true at {beyond.point}" if beyond else method)
-
-
-def _refuted(entry: Entry, statement: Term) -> Counterexample | None:
-    """Return a point at which a statement without definitions, domain or condition fails, as for claims of files."""
-    if entry.where or entry.also or entry.claimed is not None or entry.condition is not None:
-        return None
-    if not branched(statement) and next(singular(statement), None) is None:
-        return None  # a polynomial identity has no special place
-    return first_failure(Claim(entry, statement, lenient=True))
-
-
-def _beyond(entry: Entry, statement: Term, outside: Sequence[Trial]) -> Trial | None:
-    """Return the first trial outside the condition at which the statement is true, if any.
-
-    Raise if the condition is too strict: the statement is true outside it with fewer than two special symbols. Also
-    raise if the statement has a value outside a condition that its denominators show to be sharp.
-    """
-    for trial in outside:
-        if trial.truth is True and not trial.pair:
-            raise UndecidedError(f"({entry.number}): true outside its condition, at {trial.place}")
-        if trial.truth is not None and entry.condition is not None and is_sharp(entry.condition, statement):
-            raise UndecidedError(f"({entry.number}): its form says no value, but there is one, at {trial.place}")
-    return next((trial for trial in outside if trial.truth is True), None)
-
-
-def _method(entry: Entry, statement: Term, exact: str | None, points: int) -> str:
-    """Return the method in words. A delicate statement proved at generic values may fail at special ones."""
-    evidence = f"60-digit evaluation at {points} seeded points"
-    supported = ", with a supporting identity proved exactly" if entry.because not in (None, statement) else ""
-    if exact is None and entry.argument:
-        return f"proved by the argument in {entry.argument} from identities proved exactly; {evidence} besides"
-    if exact is None:
-        return f"evidence: {evidence}{supported}"
-    if any(entry.free(part) for part in with_trait(Trait.DELICATE, statement)):
-        return f"{exact} where symbols are generic, {evidence}{supported}"
-    return f"{exact}{supported}"
-
-
-def prove(entry: Entry, statement: Term, orders: Sequence[int], found: list[Pairs] | None = None) -> str | None:
-    """Prove a statement exactly; return the method, or None if no exact field suits its operations and domain.
-
-    If `found` is a list, fractions are not reduced, and it receives the pairs of equal numbers for each choice of
-    order, branch and sign.
-    Raise if the statement is false at generic values although it is true at all seeded points.
-    """
-    free = entry.free(statement)
-    order, branch, sign = (next((s for s in free if s.quantity is q), None) for q in (ORDER, BRANCH, SIGN))
-    # sort vectors whose magnitude occurs to the front: only the first vector has a rational magnitude
-    lengths = {symbol for part in with_trait(Trait.LENGTH, statement) for symbol in entry.free(part)}
-    generic = sorted((a for a in free if a not in (order, branch, sign)), key=lambda a: a not in lengths)
-    if order is not None and branch is None:
-        with suppress(NotExactError):
-            if _checked(entry, statement, Generic(generic, False, entry.moving, order=order), found):
-                return "exact, all n"
-    dual, checked = takes_apart(statement, *entry.definitions), False
-    try:
-        for n in orders if order is not None else (0,):
-            for k, plus_minus in product(range((entry.branches or n) if branch else 1), (1, -1) if sign else (1,)):
-                steps = 4 * n or steps_of(statement)
-                point = Generic(generic, dual, entry.moving, steps, framed=not entry.components)
-                if branch is not None:
-                    point.fix_branch(branch, k)
-                point.values |= {a: value for a, value in ((order, n), (sign, plus_minus)) if a is not None}
-                checked |= _checked(entry, statement, point, found)
-    except NotExactError:
-        return None
-    if not checked:
-        return None
-    return "exact" if order is None else f"exact, n = {', '.join(map(str, orders))}"
-
-
-def _checked(entry: Entry, statement: Term, point: Generic, found: list[Pairs] | None = None) -> bool:
-    """Return whether the generic values lie in the domain; if they do, raise unless the statement is true there."""
-    point.field.functions.lowest_terms = found is None
-    pairs: Pairs | None = None if found is None else []
-
-    def value(part: Term, pairs: Pairs | None = None) -> Any:
-        return Env(point.field, dict(point.values), entry.definitions, point.dual, point.moving, pairs).value(part)
-
-    try:
-        inside = all(value(part) for part in (entry.claimed, entry.condition) if part is not None)
-    except NotExactError:
-        inside = True
-    except ArithmeticError:
-        inside = False
-    if inside and not value(statement, pairs):
-        raise UndecidedError(f"({entry.number}): true at all points but false exactly")
-    if found is not None and inside:
-        found.append(pairs or [])
-    return inside

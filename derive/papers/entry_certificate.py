@@ -8,13 +8,12 @@ from typing import Any
 from ..algebra.element import Element
 from ..proof.certificate import Certificate, part
 from ..proof.identity import Sides
-from .claim import Claim
-from .decide import prove
+from .claim import ORDERS, Claim
 from .equation import Entry
-from .judge import ORDERS, Pairs, proved
 from .language import operator_table
 from .language.printed import Apply, Symbol, Term, text
 from .language.written import written
+from .proof import Pairs, proved
 from .result import Result, Status
 
 TERMS_MAX = 2000
@@ -30,11 +29,7 @@ def certificate(result: Result, orders: Sequence[int] = ORDERS) -> Certificate |
     if not _only_equations(statement):
         return "its statement is more than equations; " + result.method
     found: list[Pairs] = []
-    orders = tuple(n for n in orders if entry.orders is None or n in entry.orders) or (entry.orders or orders)
-    if entry.written is None:
-        method = prove(entry, statement, orders, found)
-    else:
-        method = "exact" if proved(Claim(entry, statement), found) else None
+    method = proved(Claim(entry, statement, orders), found)
     pairs = [[pair for pair in part if any(isinstance(side, Element) for side in pair)] for part in found]
     if method is None or not any(pairs):
         return "it is decided by numbers; " + result.method

@@ -1,34 +1,31 @@
-"""Entry for an equation or claim of a paper, and the rules for deciding it.
+"""Entry for an equation or claim of a paper, and the rules for deciding one in Python.
 
-An `Entry` is an entry: the printed formula and the definitions of its symbols. `decide` evaluates it and returns a
-`Result` with the computed status:
+An `Entry` has the printed formula and the definitions of its symbols. `decide` evaluates it and returns a `Result` with
+the computed status:
 
 * readings are listed by hand, the most charitable first. Apart from lost characters, each equals the extracted text;
-* every reading is evaluated at seeded 60-digit points, with special values of every symbol. One failure refutes it;
+* every reading is evaluated over balls at points, with special values of every symbol. One failure refutes it;
 * a reading without failure is then proved at generic values of an exact field, for symbolic n if n occurs. If no exact
   field is suitable, the points are only evidence, and the method says so;
 * ``holds``: a listed reading is true at all points. ``holds-if``: a listed reading is true under the entry's condition
   and fails somewhere outside it; both sides are tested. ``erratum``: no listed reading is true, and the correction is.
   ``ambiguous``: one reading is true, another is false, and the text does not decide between them.
 
-An entry that fits none of these raises `UndecidedError`.
+An entry in Python that fits none of these raises `UndecidedError`. The condition of a claim of a file is found.
 """
 
 from __future__ import annotations
 
 import importlib
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any
 
 from ..output.typeset import Typeset
-from .language.claims import Abbreviation, contracted, expanded
+from .language.abbreviations import Abbreviation, contracted, expanded
 from .language.environment import Definition
-from .language.printed import Symbol, Term, latex, symbols, text, walk
-from .numbers.draw import Draw
-
-Points = Callable[[Draw], Mapping[str, Mapping[Symbol, Any]]]
+from .language.printed import Symbol, Term, latex, rate_depth, symbols, text, walk
 
 
 class UndecidedError(Exception):
@@ -64,7 +61,7 @@ class Entry(Typeset):
     corrected: Term | None = None  # correction of an erratum
     because: Term | None = None  # identity that supports a statement for which points are only evidence
     argument: str = ""  # name of the module whose argument proves the statement from this identity
-    also: Points | None = field(default=None, compare=False)  # draws the free symbols of further points, by label
+    also: Mapping[str, Mapping[Symbol, Any]] = field(default_factory=dict, compare=False)  # values at further points
     moving: bool = False  # whether the symbols are functions of time
     orders: tuple[int, ...] | None = None  # orders that the entry is about; all by default
     branches: int | None = None  # number of values of a branch symbol; n by default
@@ -79,6 +76,11 @@ class Entry(Typeset):
     abbreviations: Mapping[str, Abbreviation] = field(default_factory=dict, compare=False)  # definitions of its file
     at: str = ""  # place where a claim of a file is printed
     printed: str = ""  # LaTeX of a claim of a file, as printed
+
+    @property
+    def of_file(self) -> bool:
+        """Whether the entry is a claim of a file, whose condition is found; that of an entry in Python is stated."""
+        return self.written is not None
 
     @property
     def definitions(self) -> dict[Symbol, Definition]:
@@ -159,6 +161,25 @@ def faithful(reading: Term, extract: str, lost: str) -> bool:
     lines = map(characters, (latex(reading), extract)) if isinstance(extract, Latex) else (text(reading), extract)
     left, right = (re.sub(r"~(\d+)", r"\1~", line.translate(drop)) for line in lines)
     return left == right
+
+
+def require_complete(entry: Entry, lost: str) -> None:
+    """Raise if an entry in Python lacks a part that another part needs, or does not agree with the extracted text."""
+    if entry.of_file:
+        return
+    unfaithful = not all(faithful(reading.statement, entry.extract, lost) for reading in entry.readings)
+    mistakes = {
+        "an argument leads on from an identity that is proved": entry.argument and entry.because is None,
+        "rates are nested, which claims of files may do": any(rate_depth(r.statement) > 1 for r in entry.readings),
+        "a claimed domain and the words that state it come together": (entry.claimed is None) != (entry.stated is None),
+        f"a reading does not have the characters of line {entry.line}": entry.extract and unfaithful,
+        "an erratum shows the words of the paper": entry.corrected is not None and not (entry.extract or entry.said),
+        f"the correction is a reading of line {entry.line}":
+            entry.corrected is not None and entry.extract and faithful(entry.corrected, entry.extract, lost),
+    }
+    for mistake, made in mistakes.items():
+        if made:
+            raise UndecidedError(f"({entry.number}): {mistake}")
 
 
 @dataclass(frozen=True)

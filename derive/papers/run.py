@@ -161,7 +161,6 @@ def _receive(requests: queue.SimpleQueue[Any]) -> None:
 
 def _serve() -> None:
     from .decide import decide
-    from .judge import judge_claim
 
     requests: queue.SimpleQueue[Any] = queue.SimpleQueue()
     answers, sys.stdout = sys.stdout.buffer, sys.stderr
@@ -180,7 +179,7 @@ def _serve() -> None:
             answers.flush()
 
         try:
-            result = decide(slug, entry, sheet.lost) if sheet.stated else judge_claim(slug, entry, answer)
+            result = decide(slug, entry, sheet.lost, early=answer)
         except UndecidedError as error:
             result = undecided(slug, entry, str(error))
         except Exception as error:

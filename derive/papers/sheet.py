@@ -14,16 +14,18 @@ from pathlib import Path
 from typing import Any
 
 from .equation import Entry, Paper, Reading
-from .language.claims import LITERALS, Abbreviation, ClaimError, Scope, expanded, statement, tree
+from .language.abbreviations import Abbreviation, ClaimError, Scope, expanded
+from .language.claims import statement, tree
 from .language.kinds import letter
+from .language.literals import LITERALS
 from .language.operations import CONSTANTS, OPERATIONS
 from .language.printed import Symbol, Term, Trait, with_trait
-from .transcript import READING_KEYS, Transcript, point
+from .transcript import READING_KEYS, Transcript
 
 BYTES_MAX = 2_000_000
 """Largest size of a file."""
 EQUATIONS_MAX = 2000
-TABLES = ("paper", "letters", "definitions", "latex", "point", "claims", "reasons", "equation", "field")
+TABLES = ("paper", "letters", "definitions", "latex", "claims", "reasons", "equation", "field")
 PAPER_KEYS = ("slug", "short", "title", "source", "conditions", "lost", "sections")
 KEYS = ("number", "title", "at", "latex", "claim", "domain", "corrected", "remark")
 STATED_KEYS = (*KEYS, "line", "reading", "condition", "because", "stated", "said", "fixed_by", "lost")
@@ -128,9 +130,8 @@ def sheet(text: str, name: str) -> Sheet:
     def read() -> Content:
         reader = _Reader(name)
         scope = reader.scope(letters, definitions, shown)
-        points = reader.points(data.get("point", []), scope)
         printed = {OPERATIONS[call].operator: text for call, text in shown.items() if call in OPERATIONS}
-        transcript = Transcript(name, scope, printed, tuple(map(int, sections)), points) if stated else None
+        transcript = Transcript(name, scope, printed, tuple(map(int, sections))) if stated else None
         found = [reader.entry(number, row, scope, transcript) for number, row in enumerate(equations, 1)]
         return tuple(entry for entry in found if entry is not None), tuple(reader.problems)
 
@@ -191,16 +192,6 @@ class _Reader:
             except ClaimError as error:
                 self.problem(f"definition {head}", error)
         return Scope(known, found)
-
-    def points(self, rows: Any, scope: Scope) -> tuple[Mapping[Symbol, Term], ...]:
-        """Return the further points of a transcript."""
-        found = []
-        for place, row in enumerate(rows if isinstance(rows, list) else [], 1):
-            try:
-                found.append(point(row, scope))
-            except ClaimError as error:
-                self.problem(f"point at place {place}", error)
-        return tuple(found)
 
     def entry(self, place: int, row: Mapping[str, Any], scope: Scope, transcript: Transcript | None) -> Entry | None:
         """Return the entry of an equation, or None for one that cannot be read."""

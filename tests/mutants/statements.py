@@ -3,16 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from contextlib import suppress
 from dataclasses import replace
 from functools import partial
 
 from derive.papers import PAPERS, Result
-from derive.papers.decide import ORDERS, decide
+from derive.papers.claim import Claim
+from derive.papers.decide import decide
 from derive.papers.equation import Entry
-from derive.papers.explore import explore
 from derive.papers.language.operator_table import negated
 from derive.papers.language.printed import RELATION, Apply, Number, Symbol, Term
+from derive.papers.numbers.balls import BlurredError
 from derive.papers.numbers.quantities import PROPOSITION
+from derive.papers.places import places
 
 from .mutant import EQUIVALENT, KILLED, SURVIVED, Mutant, Verdict
 
@@ -63,21 +66,30 @@ def evaluated(survives: Callable[[], bool]) -> Verdict:
         return Verdict(EQUIVALENT)
 
 
+def tried(entry: Entry, statement: Term) -> Iterator[tuple[bool, bool | None, bool]]:
+    """Yield whether each point satisfies the condition, the truth there, and whether two symbols are special."""
+    claim = Claim(entry, statement)
+    for place in places(claim):
+        with suppress(BlurredError):
+            inside = entry.condition is None or bool(claim.truth(place, entry.condition))
+            yield inside, claim.truth(place), place.pair
+
+
 def is_true(entry: Entry, statement: Term) -> bool:
     """Return whether a statement is true at every point that satisfies the entry's condition."""
-    return all(outcome.truth is True for outcome in explore(entry, statement, ORDERS) if outcome.inside)
+    return all(truth is True for inside, truth, _ in tried(entry, statement) if inside)
 
 
 def is_true_exactly_inside(entry: Entry, statement: Term) -> bool:
     """Return whether a statement is true inside the condition and, unless two symbols are special, false outside."""
-    inside = outside = 0
-    for outcome in explore(entry, statement, ORDERS):
-        if outcome.inside or not outcome.pair:
-            if (outcome.truth is True) is not outcome.inside:
+    inner = outer = 0
+    for inside, truth, pair in tried(entry, statement):
+        if inside or not pair:
+            if (truth is True) is not inside:
                 return False
-            inside += outcome.inside
-            outside += not outcome.inside
-    return bool(inside and (outside or entry.condition is None))
+            inner += inside
+            outer += not inside
+    return bool(inner and (outer or entry.condition is None))
 
 
 def domains(entry: Entry) -> Iterator[tuple[str, Entry]]:

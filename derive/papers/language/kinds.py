@@ -5,9 +5,10 @@ from __future__ import annotations
 import difflib
 
 from ..numbers import kinds as rows
-from .claims import ClaimError, latex_of
-from .operations import CONSTANTS, POSE, TENSOR, TWIST, VECTOR, Kind
+from .abbreviations import ClaimError, latex_of
+from .operations import CONSTANTS
 from .printed import Symbol
+from .shapes import POSE, TENSOR, TWIST, VECTOR, Kind
 
 LETTERS: dict[str, tuple[str, Kind, str]] = {
     "real": ("real", "number", "real number"),

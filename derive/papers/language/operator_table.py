@@ -17,6 +17,7 @@ from sympy import LeviCivita
 from ...algebra import Quaternion, Structure, Tensor, Vector, matrix
 from ...algebra.element import NotExactError
 from ...maps.exponential import quaternion_exponential, tensor_exponential
+from ..numbers.balls import BlurredError
 from ..numbers.fields import UndefinedError, innermost
 from . import values
 from .environment import Env
@@ -169,12 +170,20 @@ def _sum(env: Env, index: Term, low: Term, high: Term, body: Term) -> Any:
         raise NotExactError("a sum of n terms")
     if high == infinity and not env.field.ordered:
         raise NotExactError("an infinite sum")
-    for k in range(env.value(low), 400) if high == infinity else range(env.value(low), env.value(high) + 1):
+    last = TERMS_MAX if high == infinity else env.value(high)
+    for k in range(env.value(low), last + 1):
         part = env.bound(index, k).value(body)
         total = part if k == env.value(low) else values.add(total, part)
-        if high == infinity and k > 2 and all(map(env.field.vanishes, values.coefficients(part))):
+        if high == infinity and k > 2 and all(map(env.field.negligible, values.coefficients(part))):
             break
+    else:
+        if high == infinity:
+            raise BlurredError
     return total
+
+
+TERMS_MAX = 160
+"""Terms of an infinite sum, after which it is not known to converge."""
 
 
 summation = define("sum", r"\sum_{{{0}={1}}}^{{{2}}} {3}", "{0}={1}{2}{3}", PRODUCT, (LIST, LIST, LIST, PRODUCT),

@@ -189,6 +189,11 @@ def with_trait(trait: Trait, *statements: Term) -> tuple[Term, ...]:
     return tuple(node for statement in statements for node in walk(statement) if trait in node.operator.traits)
 
 
+def rate_depth(node: Term) -> int:
+    """Return how deep time derivatives are nested in a term."""
+    return max(map(rate_depth, node.arguments), default=0) + (Trait.RATE in node.operator.traits)
+
+
 def takes_apart(*statements: Term) -> bool:
     """Return whether statements separate real and dual parts by ε, Re, Du, a real symbol or a claim in words."""
     apart = any(symbol.quantity.apart for statement in statements for symbol in symbols(statement))

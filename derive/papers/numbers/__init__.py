@@ -1,1 +1,1 @@
-"""Fields in which formulas are evaluated, and values of symbols: drawn at 60 digits or generic in an exact field."""
+"""Fields in which formulas are evaluated, and values of symbols, from coordinates or generic in an exact field."""

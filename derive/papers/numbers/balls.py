@@ -19,6 +19,8 @@ from .fields import Field, UndefinedError, innermost
 
 PRECISIONS = (256, 2048)
 """Bits of the first evaluation, and of its repetition if balls are too wide."""
+SPARE = 32
+"""Bits by which the terms that an infinite sum leaves out are below its error."""
 BLURRED = -64
 """Exponent of 2 of the largest error with which two numbers count as equal."""
 
@@ -52,16 +54,6 @@ def precision(bits: int) -> Iterator[None]:
         context.prec = before
 
 
-def _binary(name: str, turned: bool = False) -> Callable[[Ball, Any], Any]:
-    def operation(self: Ball, other: Any) -> Any:
-        b = arb(other)
-        if b is None:
-            return NotImplemented
-        return Ball(getattr(b, name)(self.arb) if turned else getattr(self.arb, name)(b))
-
-    return operation
-
-
 class Ball:
     """Real number with a bound on its error; it behaves like a number."""
 
@@ -71,9 +63,23 @@ class Ball:
     def __init__(self, value: Any) -> None:
         self.arb = value
 
-    __add__ = __radd__ = _binary("__add__")
-    __mul__ = __rmul__ = _binary("__mul__")
-    __sub__, __rsub__ = _binary("__sub__"), _binary("__sub__", True)
+    def __add__(self, other: Any) -> Any:
+        b = other.arb if type(other) is Ball else arb(other)
+        return NotImplemented if b is None else Ball(self.arb + b)
+
+    def __mul__(self, other: Any) -> Any:
+        b = other.arb if type(other) is Ball else arb(other)
+        return NotImplemented if b is None else Ball(self.arb * b)
+
+    __radd__, __rmul__ = __add__, __mul__
+
+    def __sub__(self, other: Any) -> Any:
+        b = other.arb if type(other) is Ball else arb(other)
+        return NotImplemented if b is None else Ball(self.arb - b)
+
+    def __rsub__(self, other: Any) -> Any:
+        b = arb(other)
+        return NotImplemented if b is None else Ball(b - self.arb)
 
     def __truediv__(self, other: Any) -> Any:
         b = arb(other)
@@ -166,6 +172,9 @@ class Balls(Field):
 
     def vanishes(self, a: Any) -> bool:
         return self._contains_zero(arb(a), 1)
+
+    def negligible(self, a: Any) -> bool:
+        return bool(abs(arb(a)) < flint().arb(2) ** -(flint().ctx.prec + SPARE))
 
     @staticmethod
     def _contains_zero(gap: Any, size: Any) -> bool:

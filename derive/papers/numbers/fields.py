@@ -1,28 +1,21 @@
-"""Two fields in which printed formulas are evaluated, with their elementary functions.
+"""Fields in which formulas are evaluated, with their elementary functions.
 
-`Decimal60` consists of 60-digit floating-point numbers, which refute a formula or give evidence for it. `Exact`
-consists of rational functions of independent symbols, which decide a formula for all values at once.
+`Exact` consists of rational functions of independent symbols, which decide a formula for all values at once. Numbers of
+points are those of `derive.papers.numbers.balls`.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from fractions import Fraction
-from functools import reduce
 from operator import matmul, mul
 from typing import Any
-
-import mpmath
 
 from ...algebra import Dual, Quaternion, Structure, Tensor, Vector, real_part
 from ...algebra.angles import AngleField
 from ...algebra.element import Element, NotExactError
 from ...algebra.functions import Elementary
 from ...maps.polynomials import pair
-
-FIELD_DIGITS = 60
-TOLERANCE = mpmath.mpf(10) ** -45  # far above rounding errors, far below relevant differences
-_NOTHING = mpmath.mpf(10) ** -55  # bound on the rounding error of the sine at a multiple of π
 
 
 class UndefinedError(ArithmeticError):
@@ -106,49 +99,14 @@ class Field(Elementary):
         """Return whether a plain number is zero up to rounding."""
         return bool(a == 0)
 
+    def negligible(self, a: Any) -> bool:
+        """Return whether a term of an infinite sum no longer changes it."""
+        return self.vanishes(a)
+
     @property
     def pi(self) -> Any:
         """The number π."""
         raise NotExactError("π")
-
-
-class Decimal60(Field):
-    """Real numbers with 60 digits, for use inside ``mpmath.workdps(FIELD_DIGITS)``."""
-
-    ordered = True
-    _exp = staticmethod(mpmath.exp)
-
-    def same(self, a: Any, b: Any) -> bool:
-        return bool(abs(a - b) <= TOLERANCE * (1 + abs(a) + abs(b)))
-
-    def vanishes(self, a: Any) -> bool:
-        return bool(abs(a) < _NOTHING)
-
-    def _sin(self, a: Any) -> Any:
-        return chopped(mpmath.sin(a))
-
-    def _cos(self, a: Any) -> Any:
-        return chopped(mpmath.cos(a))
-
-    def _log(self, a: Any) -> Any:
-        if a <= 0:
-            raise UndefinedError("logarithm of a number that is not positive")
-        return mpmath.log(a)
-
-    def _atan2(self, y: Any, x: Any) -> Any:
-        if x == 0 and y == 0:
-            raise UndefinedError("the angle of 0")
-        return mpmath.atan2(y, x)
-
-    def _sqrt(self, a: Any) -> Any:
-        a = chopped(a)
-        if a < 0:
-            raise UndefinedError("square root of a negative number")
-        return mpmath.sqrt(a)
-
-    @property
-    def pi(self) -> Any:
-        return mpmath.mpf(mpmath.pi)
 
 
 class Exact(Field):
@@ -216,14 +174,13 @@ def integer_power(base: Any, exponent: int) -> Any:
         return integer_power(inverse, -exponent)
     if exponent == 0:
         return Tensor.identity() if isinstance(base, Tensor) else 1
-    return reduce(matmul if isinstance(base, Tensor) else mul, [base] * exponent)
+    times = matmul if isinstance(base, Tensor) else mul
+    if exponent < 2:
+        return base
+    half = integer_power(base, exponent // 2)
+    return times(times(half, half), base) if exponent % 2 else times(half, half)
 
 
 def one_over(a: Any) -> Any:
     """Return the reciprocal, exact for integers."""
     return Fraction(1) / a if isinstance(a, int | Fraction) else 1 / a
-
-
-def chopped(a: Any) -> Any:
-    """Return a plain number, or 0 if its size is within the rounding error."""
-    return mpmath.mpf(0) if abs(a) < _NOTHING else a

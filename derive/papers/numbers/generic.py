@@ -16,7 +16,7 @@ from typing import Any
 
 from ...algebra import Dual, Quaternion, Vector
 from ...algebra.element import NotExactError
-from .draw import jet, sphere
+from .build import jet, sphere
 from .every_order import EveryOrder
 from .fields import Exact
 from .quantities import Role

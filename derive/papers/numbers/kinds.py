@@ -9,12 +9,13 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from math import factorial
 from typing import Any
 
-from ...algebra import Dual, Quaternion, Tensor, Vector
+from ...algebra import Quaternion, Tensor, Vector
 from ...algebra.matrix import shaped
 from .balls import Balls, precision
-from .draw import Draw
+from .build import polynomial
 from .quantities import QUANTITIES as QUANTITIES
 from .quantities import Quantity as Quantity
 from .quantities import Role
@@ -33,6 +34,8 @@ class Kind:
     special: Callable[[Any], Mapping[str, Numbers]] = lambda pi: {}  # coordinates by label
     dual: bool = False
     constant: bool = False  # whether rates are 0
+    forward: bool = False  # whether values of either sign are special, as in the two papers
+    still: bool = False  # whether coordinates have neither rates nor dual parts
     projective: bool = False
     spread: str = ""  # "positive" or "integer" coordinates
     free: str = ""  # kind without the constraint
@@ -76,7 +79,7 @@ def _numbers(pi: Any) -> dict[str, Numbers]:
 
 def _angles(pi: Any) -> dict[str, Numbers]:
     halves = {f"{k}*pi/2": (pi * Fraction(k, 2),) for k in (1, -1, 3)}
-    return {"0": (Fraction(0),), **halves, **{f"{k}*pi": (pi * k,) for k in (1, -1, 2, -2, 3, 4)}}
+    return {"0": (Fraction(0),), **halves, **{f"{k}*pi": (pi * k,) for k in (1, -1, 2, -2, 3, 4, 5)}}
 
 
 def _vectors(pi: Any) -> dict[str, Numbers]:
@@ -90,7 +93,8 @@ def _rational(**rows: Numbers) -> Callable[[Any], Mapping[str, Numbers]]:
     return lambda pi: found
 
 
-_axes = _rational(first_axis=(1, 1, 0), third_axis=(1, 0, 0), minus_third_axis=(0, 1, 0), in_plane=(1, 0, -1))
+_axes = _rational(first_axis=(1, 1, 0), second_axis=(1, 0, 1), third_axis=(1, 0, 0), minus_third_axis=(0, 1, 0),
+                  in_plane=(1, 0, -1))  # fmt: skip
 _turns = _rational(identity=(1, 0, 0, 0), half_turn=(0, 1, -2, 2), about_an_axis=(0, 0, 0, 1), quarter=(1, 1, 0, 0),
                    beyond_a_half_turn=(-1, 1, 2, 1))  # fmt: skip
 _versors = _rational(one=(1, 0, 0, 0), minus_one=(0, 1, 0, 0), half_turn=(3, 1, -2, 2), beyond=(1, 2, 1, -2))
@@ -113,7 +117,7 @@ def _opposite(c: Numbers) -> Numbers:
 
 
 _scalar = Kind(1, lambda c: c[0], _numbers)
-_angle = replace(_scalar, special=_angles)
+_angle = replace(_scalar, special=_angles, forward=True)
 _vector = Kind(3, lambda c: Vector(*c), _vectors)
 _unit = Kind(3, sphere, _axes, projective=True, free="real vector", needs="norm({0}) == 1", antipode=_opposite)
 _tensor = Kind(9, Tensor.from_entries, _tensors)
@@ -137,9 +141,13 @@ KINDS: dict[str, Kind] = {
     "tensor": replace(_tensor, dual=True), "quaternion": replace(_quaternion, dual=True),
     "orthogonal tensor": replace(_rotation, dual=True, free="tensor"),
     "unit quaternion": replace(_versor, dual=True, free="quaternion", needs="{0}*conjugate({0}) == 1"),
+    "argument": replace(_scalar, dual=True),
+    "scale": replace(_scalar, special=_rational(minus_one=(-1,)), dual=True, forward=True),
+    "smooth function": Kind(5, polynomial, lambda pi: {"exponential": [Fraction(1, factorial(k)) for k in range(70)]},
+                            still=True),
 }  # fmt: skip
 """Kinds by the name of a quantity."""
-KINDS |= {f"constant {name}": replace(kind, constant=True) for name, kind in KINDS.items()}
+KINDS |= {f"constant {name}": replace(kind, constant=True) for name, kind in KINDS.items() if not kind.still}
 
 
 def special(kind: Kind) -> dict[str, Numbers]:
@@ -150,34 +158,21 @@ def special(kind: Kind) -> dict[str, Numbers]:
 
 def _exact(kind: Kind) -> Callable[[Any, str], Any]:
     def value(generic: Any, name: str) -> Any:
-        first = [1] * kind.projective
-        numbers = [generic.real(generic.number(name, i, constant=kind.constant)) for i in range(kind.size - len(first))]
+        first, still = [1] * kind.projective, kind.constant or kind.spread == "integer"
+        numbers = [generic.real(generic.number(name, i, constant=still)) for i in range(kind.size - len(first))]
         return kind.build([*first, *([numbers[0] ** 2] if kind.spread == "positive" else numbers)])
 
     return value
-
-
-def _drawn(kind: Kind) -> Callable[[Draw], Any]:
-    def coordinate(draw: Draw) -> Any:
-        value = draw.real() if kind.spread == "positive" else draw.signed()
-        if kind.spread == "integer":
-            return draw.random.randint(-5, 9)
-        if not kind.constant:
-            return draw.number(value) if kind.dual else draw.scalar(value)
-        return Dual(draw.plain(value), draw.plain(draw.signed())) if kind.dual else draw.lifted(draw.plain(value))
-
-    first = [1] * kind.projective
-    return lambda draw: kind.build([*first, *(coordinate(draw) for _ in range(kind.size - len(first)))])
 
 
 def _row(name: str, kind: Kind) -> Quantity:
     """Return the row of a kind in the table of quantities; a row that is there only gains the value without a frame."""
     plain = QUANTITIES.get(name.removeprefix("constant "))
     if plain and not kind.constant:
-        return replace(plain, built=_exact(kind))
+        return plain if plain.name == "smooth function" else replace(plain, built=_exact(kind))
     role = plain.role if plain else Role.TENSOR if kind.size > 1 else None
     exact = plain.exact if plain and role is Role.ANGLE else _exact(kind)
-    return Quantity(name, _drawn(kind), size=kind.size, exact=exact, built=exact, role=role, apart=not kind.dual)
+    return Quantity(name, kind.size, exact, exact, role, apart=not kind.dual)
 
 
 QUANTITIES |= {name: _row(name, kind) for name, kind in KINDS.items()}

@@ -4,15 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 from ... import about
-from ...proof import Proof
-from ..claim import rate_depth
 from ..equation import Entry, Paper
+from ..language.printed import rate_depth
 from ..numbers.kinds import KINDS
 from ..result import Counterexample, Result, Status
 from ..sheet import Problem
 from .plain import plain
+
+if TYPE_CHECKING:
+    from ...proof import Proof
 
 MEANING = {
     Status.FALSE: "false, with a point where it fails, and changes in one step that make it true",
@@ -169,9 +172,19 @@ def example(found: Counterexample, entry: Entry | None = None) -> tuple[str, ...
     if len(found.sides) != 2 or not all(found.sides):
         return *lines, f"{found.point}: the statement is false"
     left, right = found.sides
+    left, right = list(map(short, left)), list(map(short, right))
     i = next((i for i, (a, b) in enumerate(zip(left, right, strict=False)) if a[:SHOWN_DIGITS] != b[:SHOWN_DIGITS]), 0)
     which = f"number {i + 1} of {len(left)}: " if len(left) > 1 else ""
-    return *lines, f"{which}left {left[i][: SHOWN_DIGITS + 2]}, right {right[i][: SHOWN_DIGITS + 2]}"
+    return *lines, f"{which}left {left[i]}, right {right[i]}"
+
+
+def short(number: str) -> str:
+    """Return a number with few characters: a long fraction as a decimal, a long decimal cut."""
+    above, stroke, below = number.partition("/")
+    if stroke and len(number) > SHOWN_DIGITS + 2:
+        number = f"{int(above) / int(below):.10g}"
+    mantissa, e, exponent = number.partition("e")
+    return mantissa[: SHOWN_DIGITS + 2] + e + exponent
 
 
 def _second(entry: Entry | None, parts: list[str]) -> str:
@@ -187,13 +200,13 @@ def _second(entry: Entry | None, parts: list[str]) -> str:
 
 def _numbers(parts: list[str], second: str) -> str:
     """Return the numbers of a value as one string, its second half or its rates after a word."""
-    short = [part[: SHOWN_DIGITS + 2] for part in parts]
-    quarter, half = len(short) // 4, len(short) // 2
+    shown = list(map(short, parts))
+    quarter, half = len(shown) // 4, len(shown) // 2
     if second == TWICE and quarter:  # value, rate, rate again, second rate
-        pieces = short[:quarter], short[quarter:half], short[half + quarter :]
+        pieces = shown[:quarter], shown[quarter:half], shown[half + quarter :]
         value, rate, second_rate = map(_tuple, pieces)
         return f"{value}, rate {rate}, second rate {second_rate}"
-    return f"{_tuple(short[:half])}{second}{_tuple(short[half:])}" if second and half else _tuple(short)
+    return f"{_tuple(shown[:half])}{second}{_tuple(shown[half:])}" if second and half else _tuple(shown)
 
 
 def _tuple(parts: list[str]) -> str:

@@ -110,7 +110,7 @@ def test_one_equation_is_decided_alone() -> None:
             "print('derive.codegen' in sys.modules)")  # fmt: skip
     done = in_a_process(code=code, COLUMNS="120")
     assert "where they differ" in done.stdout
-    assert "refuted at generic point 1: false" in done.stdout
+    assert "refuted at short numbers 1: false" in done.stdout
     assert "proofs" not in done.stdout  # no theorem concerns this equation
     assert done.stdout.endswith("False\n")  # the code generator is slow to load and not needed
 

@@ -77,8 +77,8 @@ def test_equations_are_chosen_by_string_or_list():
 
 BASE = ("derive", "papers")
 PACKAGES = tuple(paper.package.rpartition(".")[2] for paper in PAPERS if paper.package)
-DECIDING = ("sharp", "explore", "claim", "constrained", "probe", "conditions", "changes", "judge", "decide",
-            "entry_certificate", "transcript", "sheet", "run")  # fmt: skip
+DECIDING = ("sharp", "claim", "constrained", "singular", "zeros", "places", "conditions", "regions", "changes", "near",
+            "proof", "witness", "finding", "decide", "entry_certificate", "transcript", "sheet", "run")  # fmt: skip
 ENTRIES = ("equation", "result")
 ROOMS = ("numbers", "language", *ENTRIES, *PACKAGES, *DECIDING, "report", "")
 """Import order: each subpackage or module may import itself and earlier ones; the empty name is derive.papers."""

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import re
-from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -95,17 +94,9 @@ def test_altered_entry_is_refused(number: str, old: str, new: str, reason: str) 
         decide(paper.slug, entry, paper.lost)
 
 
-def test_points_of_the_file_reach_what_no_drawn_value_does() -> None:
-    (entry,) = (entry for entry in PAPER.entries() if entry.number == "zero-components")
-    with pytest.raises(UndecidedError, match="no point on the inside"):
-        decide(PAPER.slug, replace(entry, also=None), PAPER.lost)
-
-
 @pytest.mark.parametrize(
     ("old", "new", "problem"),
     [('line = 133', 'line = "133"', "equation 1: line is an integer, got str"),
-     ('A = "-A"', 'A = "x"', "point at place 2: A: 'x' is a vector"),
-     ('xr = "x0"', 'xq = "x0"', "point at place 1: a point gives letters values"),
      ('note = "over i < j"', 'remark = "over i < j"', "equation quadratic-expansion: unknown key remark"),
      ('condition = "T >= 0"', 'condition = "T >= "', "equation real-norm, column 1: condition: ")],
 )  # fmt: skip

@@ -6,5 +6,4 @@ from ...language.common_definitions import *
 from ...language.environment import *
 from ...language.operator_table import *
 from ...language.printed import *
-from ...numbers.draw import Draw as Draw
 from ..cp23_notation import *

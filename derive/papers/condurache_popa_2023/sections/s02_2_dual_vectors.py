@@ -54,7 +54,6 @@ ENTRIES = (
                                  words(r"\mathbf{v} \in V_3", "vV3")), zero(Re(a_))))),
              extract="± u _ a = a a + ε a × a 0 × a a 3     R e a _ 0 a 0 a 0 + ε v × a 0 a 0 , v V 3     R e a _ = 0",
              where=(*PARTS, let(u_a, dual_algebra.axes, a_)), condition=nonzero(a_),
-             also=lambda draw: {"a = 0": {a: Vector(0, 0, 0), a0: Vector(0, 0, 0)}},
              because=both(equal(dot(cross(w, a0), a0), 0), equal(epsilon * a0, epsilon * norm(a0) * (
                  a0 / norm(a0) + epsilon * (cross(w, a0) / norm(a0))))),
              remark="The supporting identity is the case Re a = 0. For a = 0 any unit vector serves."),

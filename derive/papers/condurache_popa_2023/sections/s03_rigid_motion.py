@@ -2,10 +2,7 @@
 
 from functools import partial
 
-import mpmath
-
-from ....algebra import Vector, real_part
-from ....maps.first_principles import tensor_by_sandwich as rotation
+from ....algebra import real_part
 from ....maps.pose import Pose, foot, pose_from_tensor
 from ..definitions import motions
 from . import *
@@ -97,8 +94,6 @@ ENTRIES = (
                      "v V 3 ,  when   trace Q = 1   ( Q   is   symmetric ) ρ ρ ,   when   trace Q = 3 Q = I",
              where=(*INVARIANTS, let(axis, motions.axes_of, R, sign)),
              condition=both(implies(zero(trace(Q) + 1), nonzero(Q * v + v)), implies(zero(trace(Q) - 3), nonzero(rho))),
-             also=lambda draw: {"half turn, v across the axis": {
-                 R: rotation(q := draw.quaternion(mpmath.pi / 2)), v: q.vector.re.cross(Vector(1, 0, 0))}},
              remark="v may be any vector that is not across the axis; R = I has no axis of its own."),
     equation("18-translation", "the translation along the axis", 110, equal(shift, dot(rho, axis)),
              extract="d = ρ · u", where=SCREW),

@@ -103,7 +103,6 @@ ENTRIES = (
              both(branches(Delta_map, R, 2),
                   iff(equal(Delta(units[0]), Delta(units[1])), equal(units[0], pm(units[1])))),
              where=(*ACTION, *UNIT_PARTS),
-             also=lambda draw: {"the same up to sign": {units[0]: (q := draw.quaternion(draw.real())), units[1]: -q}},
              because=both(equal(1 + trace(Delta(unit)), 4 * s**2), equal(vect(Delta(unit)), 2 * s * w),
                           equal(Delta(unit) + transpose(Delta(unit)) + (1 - trace(Delta(unit))) * I, 4 * dyad(w, w))),
              remark="The supporting identity: the tensor determines all products of two components of q."),

@@ -1,6 +1,5 @@
 """Section 5, exponential and first-order Cayley transform of orthogonal dual tensors: lines 149-181."""
 
-from typing import Any
 
 from ....algebra import real_part
 from ..definitions import dual_algebra, motions, orders
@@ -116,12 +115,6 @@ ALGEBRA = (
 )
 
 
-def real_magnitude(draw: Draw) -> dict[str, dict[Symbol, Any]]:
-    """Return a point where |v| is real although v is dual."""
-    re, across = draw.vector().re, draw.vector().re
-    return {"|v| real, v dual": {v: values.dualise(re, re.cross(across))}}
-
-
 def corollary(number: int, line: int, order: int, name: str, slope: Term) -> tuple[Entry, ...]:
     """Return the entries about Cayley transforms of an order that are rotations, translations, or neither.
 
@@ -131,11 +124,11 @@ def corollary(number: int, line: int, order: int, name: str, slope: Term) -> tup
              let(rho, motions.displacement_of, R), let(v_re, real_of, v), let(v_du, dual_of, v))
     return (
         equation(f"corollary-{number}-rotation", f"when the {name} is a pure rotation", line,
-                 iff(rotates, zero(Du(norm(v)))), where=where, also=real_magnitude,
+                 iff(rotates, zero(Du(norm(v)))), where=where,
                  because=equal((Q + transpose(Q) + (1 - trace(Q)) * I) * rho, slope * dot(v_re, v_du) * v_re),
                  remark="The supporting identity: 2 (1 − cos α) d u, d the translation along the axis."),
         equation(f"corollary-{number}-translation", "when it is a pure translation", line,
-                 implies(zero(Re(norm(v))), translates), where=where, also=lambda draw: {"|v| = 1": {v: draw.unit()}}),
+                 implies(zero(Re(norm(v))), translates), where=where),
         equation(f"corollary-{number}-general", "in all other cases it is neither", line,
                  implies(both(nonzero(Re(norm(v))), nonzero(Du(norm(v)))), general), where=where),
     )

@@ -1,10 +1,6 @@
 """Section 6, Cayley transforms for unit dual quaternions: lines 184-226."""
 
-from typing import Any
 
-import mpmath
-
-from ....algebra import real_part
 from ..definitions import motions
 from ..definitions.orders import at_order, cayley, composed, image_is, quaternion_map
 from . import *
@@ -29,18 +25,6 @@ SCREW = (let(q, screw_quaternion, alpha, u),)
 COMPOSED = (let(q, at_order(2, composed), sigma2, sigma1), let(sigma, at_order(2, image_is), q))
 no_full_turn = unequal(Re(alpha), 2 * k * pi, k)
 no_half_turn = remark(unequal(Re(alpha), k * pi, k), words(r"k \in \mathbb{Z}", "kZ"))
-
-
-def back_to_back(draw: Draw) -> dict[str, dict[Symbol, Any]]:
-    """Return a point with two equal half turns at order 2, whose product is −1."""
-    return {"two half turns about one axis": dict.fromkeys((sigma1, sigma2), draw.unit())}
-
-
-def to_a_half_turn(draw: Draw) -> dict[str, dict[Symbol, Any]]:
-    """Return a point where b₁ · b₂ has real part 1, so that the product of the displacements is a half turn."""
-    first = draw.vector()
-    second = first / real_part(first.dot(first)) + values.dualise(0 * first.re, draw.vector().re)
-    return {"a half turn as the result": {b1: first, b2: second}}
 
 
 ENTRIES = (
@@ -75,21 +59,20 @@ ENTRIES = (
     equation("38-domain", "where the modified Rodrigues dual vector exists", 200,
              iff(no_full_turn, defined(tan(alpha / 4) * u)), said="The results for R e α _ 2 k π",
              corrected=iff(unequal(Re(alpha), (4 * k + 2) * pi, k), defined(tan(alpha / 4) * u)),
-             also=lambda draw: {"real part 6π": {alpha: draw.number(6 * mpmath.pi)}},
              remark="Multiples of 4π are not singular: there the displacement is a translation and Re σ = 0."),
     equation("39", "composition of two displacements, n = 2", 205, equal(sigma, (q - 1) / (q + 1)),
-             extract="σ _ = q ^ _ 1 q ^ _ + 1", where=COMPOSED, condition=nonzero(Re(q + 1)), also=back_to_back),
+             extract="σ _ = q ^ _ 1 q ^ _ + 1", where=COMPOSED, condition=nonzero(Re(q + 1))),
     equation("40", "the same by the two vectors", 207,
              equal(sigma, ((1 + sigma2) / (1 - sigma2) * ((1 + sigma1) / (1 - sigma1)) - 1)
                    / ((1 + sigma2) / (1 - sigma2) * ((1 + sigma1) / (1 - sigma1)) + 1)),
              extract="σ _ = 1 + σ _ 2 1 σ _ 2 1 + σ _ 1 1 σ _ 1 1 1 + σ _ 2 1 σ _ 2 1 + σ _ 1 1 σ _ 1 + 1",
-             where=COMPOSED, condition=nonzero(Re(q + 1)), also=back_to_back),
+             where=COMPOSED, condition=nonzero(Re(q + 1))),
     equation("41", "the same without quaternions", 209,
              equal(sigma, ((1 - norm(sigma2) ** 2) * sigma1 + (1 - norm(sigma1) ** 2) * sigma2
                            + 2 * cross(sigma2, sigma1))
                    / ((1 - dot(sigma2, sigma1)) ** 2 + norm(cross(sigma2, sigma1)) ** 2)),
              extract="σ _ = 1 σ _ 2 2 σ _ 1 + 1 σ _ 1 2 σ _ 2 + 2 σ _ 2 × σ _ 1 1 σ _ 2 · σ _ 1 2 + σ _ 2 × σ _ 1 2",
-             where=COMPOSED, condition=nonzero(Re(q + 1)), also=back_to_back),
+             where=COMPOSED, condition=nonzero(Re(q + 1))),
     equation("42", "fractional Cayley transform", 213, equal(cay_half(v), (1 + v) ** half * (1 - v) ** (-half)),
              extract="c a y 1 2 v _ = 1 + v _ 1 2 1 v _ 1 2", where=HALF,
              because=equal(cay_half(v) ** 2, (1 + v) * (1 - v) ** (-1)),
@@ -121,5 +104,5 @@ ENTRIES = (
              equal(b, (b1 + b2 + cross(b2, b1)) / (1 - dot(b1, b2))),
              extract="b _ = b _ 1 + b _ 2 + b _ 2 × b _ 1 1 b _ 1 · b _ 2",
              where=(let(q, at_order(1, composed), b2, b1), let(b, at_order(1, image_is), q)),
-             condition=nonzero(Re(1 - dot(b1, b2))), also=to_a_half_turn),
+             condition=nonzero(Re(1 - dot(b1, b2)))),
 )

@@ -37,8 +37,3 @@ def finite(angle: Term) -> Term:
 def rotation_by(length: Term, power: Any, skew_of_w: Term) -> Any:
     """Return the tensor of (57) at a vector w, from its magnitude, ``(1 + |w|²)ⁿ`` and its skew-symmetric tensor."""
     return I + 2 * p(length) * q(length) / power * skew_of_w + 2 * (q**2)(length) / power * skew_of_w**2
-
-
-def full_turns(draw: Draw) -> dict[str, dict[Symbol, object]]:
-    """Return points at which q_3 or q_4 has real part 0."""
-    return {"Re |v|² = 3": {v: draw.vector(re=(1, -1, 1))}, "Re |v|² = 1": {v: draw.vector(re=(0, 1, 0))}}

@@ -58,11 +58,6 @@ def at_infinity(env: Env, n: int, k: int) -> Any:
     return cayley_maps.branch_coefficient(env, n, k, n * env.field.pi)
 
 
-def opposite_axes(draw: Draw) -> dict[str, dict[Symbol, object]]:
-    """Return a point with two displacements whose product is a half turn at n = 1 and −1 at n = 2."""
-    return {"a quarter turn twice": {v_1: draw.still((1, 0, 0), (1, 2, 3)), v_2: draw.still((1, 0, 0), (0, 1, 2))}}
-
-
 FRACTIONAL = (
     equation("46", "fractional Cayley transform of order n", 234, equal(cay_v, (1 + v)**(n / 2) * (1 - v)**(-(n / 2))),
              extract="c a y n 2 v _ = 1 + v _ n 2 1 v _ n 2", where=(let(cay_v, orders.cayley, n, v),),
@@ -98,7 +93,7 @@ FRACTIONAL = (
              implies(negated(nonzero(Re(norm(v)))), is_translation), where=TYPES),
     equation("corollary-4-otherwise", "general screw displacement otherwise", 245,
              implies(both(nonzero(Du(norm(v))), nonzero(Re(norm(v)))), is_screw), where=TYPES,
-             condition=nonzero(Re(q(norm(v)))), also=full_turns,
+             condition=nonzero(Re(q(norm(v)))),
              remark="Where Re q_n = 0, a full turn, the displacement is a translation although Re |v| ≠ 0 (n ≥ 3)."),
     equation("48", "quaternion of the natural invariants", 247, equal(q_hat, cos(alpha / 2) + u * sin(alpha / 2)),
              extract="q ^ _ = c o s α _ 2 + u _ s i n α _ 2", where=(let(q_hat, motions.lift, alpha, u),)),
@@ -185,7 +180,7 @@ COMPOSITION = (
              extract="v _ = 1 + v _ 2 1 v _ 2 n 2 1 + v _ 1 1 v _ 1 n 2 2 n 1 1 + v _ 2 1 v _ 2 n 2 1 + v _ 1 1 v _ 1 "
              "n 2 2 n + 1", where=(let(v_composed, lambda env, n, second, first: orders.solution(
                  env, n, orders.cayley(env, n, second) * orders.cayley(env, n, first)), n, v_2, v_1),),
-             condition=nonzero(Re(product + 1)), also=opposite_axes,
+             condition=nonzero(Re(product + 1)),
              remark="Executed with principal roots; the other roots give shadows. Roots of products of two general "
              "quaternions leave every exact field at hand."),
 )

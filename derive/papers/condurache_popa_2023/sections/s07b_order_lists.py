@@ -2,8 +2,6 @@
 
 from typing import Any
 
-import mpmath
-
 from ..definitions import cayley_maps, orders
 from . import *
 from .s07_general_order import *
@@ -50,8 +48,7 @@ class Order:
         """Return the entry about the Rodrigues dual vector on the principal branch."""
         angle = alpha / (2 * self.n)
         return equation(f"{slug}-{self.n}-vector", f"vector, n = {self.n}", line, equal(v, tan(angle) * u),
-                        extract=f"v _ = t a n α _ {2 * self.n} u _", where=self.preimage, condition=finite(angle),
-                        also=lambda draw: {f"Re α = {self.n}π": {alpha: draw.number(self.n * mpmath.pi)}})
+                        extract=f"v _ = t a n α _ {2 * self.n} u _", where=self.preimage, condition=finite(angle))
 
 
 p3, p4, p5 = 1 - 3 * x, 1 - 6 * x + x2, 1 - 10 * x + 5 * x2

@@ -119,8 +119,7 @@ SINES = (
 FIFTH = (
     equation("sine-vector", "sine family and its factor", 337,
              both(equal(v, sin(alpha / (2 * n)) * u), equal(a(v), root(1 - x))),
-             extract="v _ = s i n α _ 2 n u _ ; a v _ = 1 v _ 2", where=SINES, condition=forward_n,
-             also=lambda draw: {"beyond 5π": {alpha: draw.number(16)}}),
+             extract="v _ = s i n α _ 2 n u _ ; a v _ = 1 v _ 2", where=SINES, condition=forward_n),
     equation("sine-quaternion", "its unit dual quaternion", 338,
              equal(pm(q_of(v)), (root(1 - x) + v)**n, P(norm(v)) + Q(norm(v)) * v),
              extract="± q _ ^ v _ = 1 v _ 2 + v _ n = P n v _ + Q n v _ v _", where=SINES, condition=forward_n),

@@ -80,7 +80,7 @@ ENTRIES = (
     equation("87", "rate of the Rodrigues dual vector", 403,
              both(equal(rate(v), dcay_inv * omega), equal(rate(v), dcay_inv_T * omega_B)),
              extract="v ˙ _ = d c a y n 1 ω _ v ˙ _ = d c a y n T ω _ B", where=OF_V, moving=True, condition=regular,
-             also=full_turns, fixed_by="(86): ω_B = dcay_nᵀ v̇, of which it is the inverse"),
+             fixed_by="(86): ω_B = dcay_nᵀ v̇, of which it is the inverse"),
     equation("88", "tangent operator of order n", 405,
              equal(dcay, 2 * q(norm(v)) * p(norm(v)) / (1 + x)**n * I + 2 * (q**2)(norm(v)) / (1 + x)**n * V
                    + 2 * (n * (1 + x)**(n - 1) - q(norm(v)) * p(norm(v))) / (x * (1 + x)**n) * VV),
@@ -93,14 +93,14 @@ ENTRIES = (
                    + ((1 + x) * q(norm(v)) - n * p(norm(v))) / (2 * n * x * q(norm(v))) * VV),
              extract="d c a y n 1 = p n v _ 2 q n v _ _ I _ 1 2 v ~ _ + 1 + v _ 2 q n v _ n p n v _ 2 n v _ 2 q n v _ "
              "_ v _ v _", where=(*OF_V, let(for_every_n, proved(89))), because=for_every_n,
-             condition=both(nonzero(Re(x)), nonzero(Re(q(norm(v))))), also=full_turns,
+             condition=both(nonzero(Re(x)), nonzero(Re(q(norm(v))))),
              remark="Where Re v = 0 the last quotient is 0/0; where Re q_n = 0 dcay_n has no inverse (n ≥ 3)."),
     equation("90", "kinematic equation of the Rodrigues dual vector, spatial twist", 409,
              equal(rate(v), dcay_inv * omega), extract="v ˙ _ = d c a y n 1 ω _", where=OF_V, moving=True,
-             condition=regular, also=full_turns),
+             condition=regular),
     equation("91", "kinematic equation of the Rodrigues dual vector, body twist", 410,
              equal(rate(v), dcay_inv_T * omega_B), extract="v ˙ _ = d c a y n T ω _ B", where=OF_V, moving=True,
-             condition=regular, also=full_turns, fixed_by="(86): ω_B = dcay_nᵀ v̇, of which it is the inverse"),
+             condition=regular, fixed_by="(86): ω_B = dcay_nᵀ v̇, of which it is the inverse"),
     equation("six-real-equations", "the vector problems are six real equations", 412,
              both(equal(equations_in(a), 6), equal(equations_in(v), 6)), where=(let(a, multiple, alpha, u),)),
 )

@@ -1,7 +1,5 @@
 """Section 9, explicit formulas for orders 1 to 5: lines 417-456."""
 
-import mpmath
-
 from . import *
 from .s07_general_order import *
 from .s07b_order_lists import Order, o1, o2, o3, o4, o5, p4, p5, q4, q5, x2
@@ -53,7 +51,7 @@ ENTRIES = (
     o3.entry("112", "kinematic tensor", 440, o3.dcay_inv,
              (1 - 3 * x) / (3 - x) * I - half * V + (11 - x) / (6 * (3 - x)) * VV,
              "d c a y 3 1 = 1 3 v _ 2 3 v _ 2 I _ 1 2 v ~ _ + 11 v _ 2 6 3 v _ 2 v _ v _",
-             condition=nonzero(Re(3 - x)), also=lambda draw: {"Re |v|² = 3": {v: draw.vector(re=(1, -1, 1))}},
+             condition=nonzero(Re(3 - x)),
              corrected=equal(o3.dcay_inv, (1 - 3 * x) / (2 * (3 - x)) * I - half * V + (11 - x) / (6 * (3 - x)) * VV),
              remark="Contradicts (89) at n = 3, where p₃/2q₃ is the factor of I."),
     vectors(o4, 113, 442),
@@ -70,7 +68,7 @@ ENTRIES = (
     o4.entry("119", "kinematic tensor", 448, o4.dcay_inv,
              p4 / (8 * (1 - x)) * I - half * V - (8 * x + 3) / (8 * (1 - x)) * VV,
              "d c a y 4 1 = 1 6 v _ 2 + v _ 4 8 1 v _ 2 I _ 1 2 v ~ _ 8 v _ 2 + 3 8 1 v _ 2 v _ v _",
-             condition=nonzero(Re(1 - x)), also=lambda draw: {"Re |v| = 1": {v: draw.unit()}},
+             condition=nonzero(Re(1 - x)),
              corrected=equal(o4.dcay_inv, p4 / (8 * (1 - x)) * I - half * V + (3 - x) / (4 * (1 - x)) * VV),
              remark="Contradicts (89) at n = 4 in the factor of v ⊗ v."),
     vectors(o5, 120, 450),
@@ -88,7 +86,6 @@ ENTRIES = (
              p5_printed / (2 * q5) * I - half * V + (45 - 16 * x + x2) / (10 * q5) * VV,
              "d c a y 5 1 = 1 10 v _ 2 + v _ 4 2 5 10 v _ 2 + v _ 4 I _ 1 2 v _ ~ + 45 16 v _ 2 + v _ 4 "
              "10 5 10 v _ 2 + v _ 4 v _ v _", condition=nonzero(Re(q5)),
-             also=lambda draw: {"Re q₅ = 0": {v: draw.unit() * mpmath.tan(mpmath.pi / 5)}},
              corrected=equal(o5.dcay_inv, p5 / (2 * q5) * I - half * V + (45 - 34 * x + x2) / (10 * q5) * VV),
              remark="Contradicts (89) at n = 5 in the factors of I and v ⊗ v, and (121) in p₅."),
 )

@@ -9,7 +9,8 @@ import pytest
 import sympy
 
 from derive.algebra import Quaternion, matrix
-from derive.papers.language.claims import Abbreviation, ClaimError, Scope, expanded, statement
+from derive.papers.language.abbreviations import Abbreviation, ClaimError, Scope, expanded
+from derive.papers.language.claims import statement
 from derive.papers.language.environment import Env
 from derive.papers.language.kinds import LETTERS, letter
 from derive.papers.language.operations import OPERATIONS

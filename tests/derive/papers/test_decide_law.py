@@ -7,11 +7,9 @@ from itertools import product
 import pytest
 
 from derive.papers.claim import Claim
-from derive.papers.equation import equation
-from derive.papers.judge import decided
-from derive.papers.language.claims import Scope, statement
-from derive.papers.language.kinds import letter
+from derive.papers.finding import decided
 from derive.papers.result import Status
+from derive.papers.sheet import claim_alone
 
 MATRICES = ("tensor", "rotation", "dual tensor", "orthogonal dual tensor", "pose")
 FAMILIES = {
@@ -57,9 +55,8 @@ def verdict(identity: tuple[str, str, str, str], form: str) -> Status:
     left, x, y, kind = identity
     units, vectors = dict.fromkeys("qp", "unit quaternion"), dict.fromkeys("vw", "vector")
     kinds = {"A": kind, "B": kind, "xi": "twist", **vectors, **units}
-    scope = Scope({name: letter(name, of) for name, of in kinds.items()})
-    text = f"{left} == {form.format(x=x, y=y)}"
-    return decided(Claim(equation(text, "law", 0, s := statement(text, scope)), s)).status
+    (entry,) = claim_alone(f"{left} == {form.format(x=x, y=y)}", kinds).entries()
+    return decided(Claim(entry, entry.readings[0].statement)).status
 
 
 def right(identity: tuple[str, str, str, str], form: str) -> bool:

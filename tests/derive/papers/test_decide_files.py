@@ -2,23 +2,23 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 
-from derive.papers.equation import equation
-from derive.papers.judge import judge_claim
-from derive.papers.language.claims import Scope, statement
-from derive.papers.language.kinds import letter
+from derive.papers.decide import decide
 from derive.papers.numbers.balls import Ball, Balls, BlurredError, arb, flint, precision
 from derive.papers.result import Result
+from derive.papers.sheet import claim_alone
 
 V, VW, X, A, R = {"v": "vector"}, {"v": "vector", "w": "vector"}, {"x": "real"}, {"a": "angle"}, {"R": "rotation"}
 
 
 def judged(text: str, letters: dict[str, str], domain: str = "", corrected: str = "") -> Result:
-    scope = Scope({name: letter(name, kind) for name, kind in letters.items()})
-    parts = {"claimed": domain, "corrected": corrected}
-    rest = {name: statement(part, scope) for name, part in parts.items() if part}
-    return judge_claim("sheet", equation("1", "a claim", 0, statement(text, scope), **rest))
+    (entry,) = claim_alone(text, letters, domain).entries()
+    if corrected:
+        entry = replace(entry, corrected=claim_alone(corrected, letters).entries()[0].readings[0].statement)
+    return decide("sheet", entry)
 
 
 POSITIVE, TENSORS = {"x": "positive", "y": "positive"}, {"A": "tensor", "B": "tensor"}
@@ -40,7 +40,8 @@ HOLDS = [
     ("re(rate(a)) == rate(re(a))", {"a": "dual number"}), ("rate(T)*inverse(T) == -T*rate(inverse(T))", {"T": "pose"}),
     ("sin(a + b) == sin(a)*cos(b) + cos(a)*sin(b)", {"a": "angle", "b": "angle"}),
     ("vect(rate(exp(skew(v)))*transpose(exp(skew(v)))) == dexp(v)*rate(v)", V),
-    ("sqrt(x*y) == sqrt(x)*sqrt(y)", POSITIVE), ("floor(n/2) + floor((n + 1)/2) == n", {"n": "integer"}),
+    ("sqrt(x*y) == sqrt(x)*sqrt(y)", POSITIVE),
+    ("log(x*y) == log(x) + log(y)", POSITIVE), ("floor(n/2) + floor((n + 1)/2) == n", {"n": "integer"}),
     ("norm(v + w) <= norm(v) + norm(w)", VW), ("left_jacobian(exp(xi), xi)*xi == xi", {"xi": "twist"}),
     ("T*exp(xi)*inverse(T) == exp(adjoint(T)*xi)", {"T": "pose", "xi": "twist"}),
 ]  # fmt: skip
@@ -52,7 +53,13 @@ FALSE = [
     *((f"({f})**2 > 0", letters) for f, letters in MEETING[2:4]),
     ("k**2 - k + 41 != 1681", {"k": "order"}), ("(k - 31)**2 > 0", {"k": "integer"}), ("x != 10**20", X),
     ("norm(n + R*m) < 2", {"n": "unit vector", "m": "unit vector", **R}),
+    ("tan(x) != 1000", X), ("1/x != 1/4096", X), ("x*y != 1000", {"y": "real", **X}), ("trace(R) != 5/2", R),
+    ("k != 5000", {"k": "integer"}), ("x**2 < 10**40", X), ("(x - 7/3)**2 > 1/10**8", X),
+    ("(x - 7/3)**2 + (y - 1/7)**2 > 1/10**6", {"y": "real", **X}), ("s + 1/s > 2", {"s": "positive"}),
     ("log(R*S) == log(R) + log(S)", {"S": "rotation", **R}), ("sqrt(x**2) == norm(x) + 1/1000000", X),
+    ("(x - 1)*(x - 1001/1000) >= 0", X),
+    ("(16 - dot(v, v))*(16 - dot(w, w)) - 64*dot(v, w) + (16 + dot(v, v))*(16 + dot(w, w)) != 0", VW), ("(x - 1)*(x - 10000001/10000000) >= 0", X),
+    ("(k - 3)*(k - 5) >= 0", {"k": "integer"}), ("(n - 100)*(n - 102) >= 0", {"n": "order"}), ("floor(x) == 0", X),
 ]  # fmt: skip
 CONDITIONS = [
     ("sqrt((4 - x)**2) == 4 - x", X, "4 - x >= 0"), ("sqrt(cos(norm(v))**2) == cos(norm(v))", V, "cos(norm(v)) >= 0"),
@@ -63,15 +70,18 @@ CONDITIONS = [
     ("acos(cos(x)) == x", X, "0 <= x and x <= pi"), ("rate(norm(v)) == dot(v, rate(v))/norm(v)", V, "norm(v) != 0"),
     ("inverse(dexp(v))*dexp(v) == I", V, "norm(v) != 2*k*pi for k = 1, 2, …"),
     ("norm(x*v) == x*norm(v)", {**X, **V}, "x*norm(v) >= 0"), ("tan(a)*cos(a) == sin(a)", A, "cos(a) != 0"),
-    ("rate(b)/b*b == rate(b)", {"b": "dual number"}, "b != 0"),
+    ("rate(b)/b*b == rate(b)", {"b": "dual number"}, "re(b) != 0"),
     ("limit(sin(t*norm(v))/t, t, 0)/norm(v) == 1", V, "norm(v) != 0"),
     ("limit(sin(t*x)/(t*x), t, 0) == 1", X, "limit(sin(t*x)/(t*x), t, 0) has a value"),
-    ("acos(cos(x)) == -x", X, "x <= 0 and norm(x) <= pi"),
+    ("acos(cos(x)) == -x", X, "-pi <= x and x <= 0"), ("acos(cos(x)) == 2*pi - x", X, "pi <= x and x <= 2*pi"),
+    ("sqrt((x - 500)**2) == x - 500", X, "x - 500 >= 0"), ("sqrt(x - 50)**2 == x - 50", X, "x - 50 >= 0"),
+    ("x**(1/2)*x**(1/2) == x", X, "x >= 0"), ("x**(1/3)*x**(2/3) == x", X, "x > 0"),
+    ("(a - b)/(a - b) == 1", {"a": "dual number", "b": "dual number"}, "re(a - b) != 0"),
     *((f"({f})/({f}) == 1", letters, f"{f} != 0") for f, letters in MEETING),
     ("atan2(sin(a)*cos(b), cos(a)*cos(b)) == a", {"b": "angle", **A}, "cos(b) > 0 and norm(a) < pi"),
 ]  # fmt: skip
 DOMAINS = [
-    ("sqrt((4 - x)**2) == 4 - x", X, "x <= 4", "holds"), ("sqrt((4 - x)**2) == 4 - x", X, "x <= 5", "holds-if"),
+    ("sqrt((4 - x)**2) == 4 - x", X, "x <= 4", "holds"), ("sqrt((4 - x)**2) == 4 - x", X, "x <= 5", "false"),
     ("norm(q*v*conjugate(q))**2 == norm(v)**2", {"q": "quaternion", **V}, "norm(q) == 1", "holds"),
     ("cross(v, cross(v, w)) == -w", VW, "dot(v, w) == 0 and dot(v, v) == 1", "holds"),
     ("dot(v, rate(v)) == 0", V, "norm(v) == 1", "holds"), ("x == x", X, "x > 1 and x < 0", "undecided"),
@@ -79,6 +89,10 @@ DOMAINS = [
     ("R*skew(v)*transpose(R) == skew(R*v)", OF_TENSOR, "R*transpose(R) == I", "false"),
     ("norm(v + w)**2 == norm(v)**2 - norm(w)**2", VW, "dot(v, w) == 0", "false"),
     ("norm(v)*norm(w)/dot(v, w) == 1", VW, "v == 2*w", "holds-if"),
+    ("x/norm(x) == 1", X, "x != 0", "false"), ("x/norm(x) == 1", X, "x > 0", "holds"),
+    ("atan2(y, x) == atan(y/x)", {"y": "real", **X}, "x != 0", "false"),
+    ("implies(x > -1, sqrt(x**2) == x)", X, "", "false"),
+    ("log(exp(skew(v))) == skew(v)", V, "norm(v) <= pi", "holds-if"),
     ("1/x*x == 1", X, "0 < x and x < 1/1000", "holds"), ("sin(a)/cos(a) == tan(a)", A, "norm(a) < 2", "holds-if"),
     ("sin(a)/cos(a) == tan(a)", A, "norm(a) < 1", "holds"),
 ]  # fmt: skip
@@ -127,6 +141,17 @@ def test_changes_in_one_step(text: str, letters: dict[str, str], first: str) -> 
     assert any(change.startswith(first) for change in found.changes) == bool(first)
 
 
+def test_points_are_told_before_a_proof() -> None:
+    told: list[Result] = []
+    (entry,) = claim_alone("cross(v, w) == skew(v)*w", VW).entries()
+    assert decide("sheet", entry, early=told.append).certainty == "exact"
+    assert [result.certainty for result in told] == ["evidence", "exact"]
+
+
+def test_term_is_vacuous_only_if_the_changed_claim_has_values() -> None:
+    assert judged("acos(1 - 2*x**2) == 2*asin(x)", X).vacuous == ()
+
+
 def test_constraints_are_named() -> None:
     assert judged("dyad(n, n) == I + skew(n)**2", {"n": "unit vector"}).needs == ("norm(n) == 1",)
     turned = judged("norm(q*v*conjugate(q)) == norm(v)", {"q": "quaternion", **V}, "norm(q) == 1")
@@ -154,11 +179,12 @@ def test_integrals_over_a_kink_are_not_decided(body: str) -> None:
 
 def test_status_is_known_before_the_changes() -> None:
     found: list[Result] = []
-    judge_claim("sheet", equation("1", "a claim", 0, statement("1 == 2", Scope({}))), found.append)
+    decide("sheet", claim_alone("1 == 2", {}).entries()[0], early=found.append)
     assert (str(found[0].status), found[0].changes) == ("false", ())
 
 
 def test_failures_on_other_branches_are_counted() -> None:
+    assert judged("x/norm(x) == 1", X, "x != 0").cuts.endswith("points fail, all outside x >= 0; true where x >= 0")
     assert judged("atan(tan(a)) == a", A).cuts.endswith("points fail, all outside norm(a) <= pi/2")
 
 

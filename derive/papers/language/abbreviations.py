@@ -1,0 +1,142 @@
+"""Names of a claim: letters, and definitions of its file, filled in or kept as calls."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+from . import operator_table
+from .calculus import substituted
+from .printed import ATOM, LIST, Apply, Symbol, Term, Trait, macro, takes_apart, walk
+from .shapes import Kind
+
+PARTS_MAX = 6000
+"""Largest number of parts of a claim with its definitions filled in."""
+
+
+class ClaimError(ValueError):
+    """Error for a text that is no claim, with its column, counted from 1; 0 for no place in a text."""
+
+    def __init__(self, message: str, column: int = 0) -> None:
+        super().__init__(message)
+        self.message, self.column = message, column
+
+    def __str__(self) -> str:
+        return f"column {self.column}: {self.message}" if self.column else self.message
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return type(self), (self.message, self.column)
+
+
+@dataclass
+class Abbreviation:
+    """Definition of a file: a name with parameters and a text, whose kind follows from those of its arguments."""
+
+    name: str
+    parameters: tuple[str, ...]
+    text: str
+    latex: str = ""  # as printed; by its name if it is empty
+    known: dict[tuple[Kind, ...], tuple[Term, Kind]] = field(default_factory=dict)
+
+    @property
+    def head(self) -> str:
+        """Name with its parameters, as in the file."""
+        return f"{self.name}({', '.join(self.parameters)})" if self.parameters else self.name
+
+    def symbol(self, kinds: tuple[Kind, ...]) -> Symbol:
+        """Return the symbol of the name, another one for arguments of each further list of kinds."""
+        quantity = "function of parts" if takes_apart(self.known[kinds][0]) else "function"
+        others = list(self.known).index(kinds)
+        name = f"{self.name} {others + 1}" if others else self.name
+        return Symbol(name, quantity, self.latex or latex_of(self.name), self.name)
+
+    def symbols(self) -> tuple[Symbol, ...]:
+        """Return the symbols of the parameters."""
+        return tuple(Symbol(f"{p} of {self.name}", "index", latex_of(p), p) for p in self.parameters)
+
+
+@dataclass(frozen=True)
+class Scope:
+    """Names that a claim may use: letters with symbols and kinds, and abbreviations."""
+
+    letters: Mapping[str, tuple[Symbol, Kind]]
+    abbreviations: Mapping[str, Abbreviation] = field(default_factory=dict)
+    open: tuple[str, ...] = ()  # abbreviations that are being read
+
+    def with_letter(self, name: str, symbol: Symbol, kind: Kind) -> Scope:
+        """Return the scope inside an operation that binds a letter."""
+        return Scope({**self.letters, name: (symbol, kind)}, self.abbreviations, self.open)
+
+
+def expanded(term: Term, abbreviations: Mapping[str, Abbreviation]) -> Term:
+    """Return a term with the abbreviations filled in; raise ClaimError if it becomes too long."""
+    result = _expanded(term, abbreviations)
+    if sum(1 for _ in walk(result)) > PARTS_MAX:
+        raise ClaimError(f"with its definitions the claim has more than {PARTS_MAX} parts")
+    return result
+
+
+def _expanded(term: Term, abbreviations: Mapping[str, Abbreviation]) -> Term:
+    if not isinstance(term, Apply):
+        return term
+    arguments = [_expanded(a, abbreviations) for a in term.arguments]
+    if not term.operator.name.startswith(CALL):
+        return Apply(term.operator.name, *arguments)
+    function = term.arguments[0]
+    assert isinstance(function, Symbol)
+    called, kinds = abbreviations[str(function.args[3])], CALLS[term.operator.name]
+    body = _expanded(called.known[kinds][0], abbreviations)
+    return substituted(body, dict(zip(called.symbols(), arguments[1:], strict=True)))
+
+
+def contracted(term: Term, names: Mapping[Term, Term]) -> Term:
+    """Return a term in which parts stand by their names, the largest first."""
+    if term in names:
+        return names[term]
+    if not isinstance(term, Apply):
+        return term
+    return Apply(term.operator.name, *(contracted(a, names) for a in term.arguments))
+
+
+CALL = "call "
+CALLS: dict[str, tuple[Kind, ...]] = {}
+"""Kinds of the arguments of an abbreviation, by the operator that calls it."""
+
+
+def call(abbreviation: Abbreviation, arguments: Sequence[Term], kinds: tuple[Kind, ...]) -> Term:
+    """Return the term of a call: one operator for each list of kinds, since the meaning follows from them."""
+    printed = abbreviation.latex if "#" in abbreviation.latex else ""
+    relation = abbreviation.known[kinds][1] == "truth"
+    name = f"{CALL}{'; '.join(map(str, kinds))}{' relation' * relation}{printed}"
+    if name not in CALLS:
+        places = ", ".join(f"{{{i}}}" for i in range(1, len(kinds) + 1))
+        shown = (rf"{{0}}\left({places}\right)", f"{{0}}({places})") if kinds else ("{0}", "{0}")
+        if printed:
+            shown = macro(printed, 1), shown[1]
+        traits = Trait.DELICATE if relation else Trait.NONE
+        operator_table.define(name, *shown, ATOM, (LIST,), _called, traits=traits)
+        CALLS[name] = kinds
+    return Apply(name, abbreviation.symbol(kinds), *arguments)
+
+
+def _called(env: Any, f: Any, *arguments: Any) -> Any:
+    return f(*arguments) if arguments else f
+
+
+GREEK = re.findall(
+    r"\w+",
+    "alpha beta gamma delta epsilon zeta eta theta iota kappa lambda mu nu xi rho sigma tau upsilon phi chi psi omega "
+    "Gamma Delta Theta Lambda Xi Sigma Phi Psi Omega",
+)
+
+
+def latex_of(name: str) -> str:
+    """Return the LaTeX of a name: Greek letters by their names, digits and what follows an underscore below."""
+    stem, _, rest = name.partition("_")
+    if found := re.fullmatch(r"([A-Za-z]+)(\d+)", stem):
+        stem, rest = found[1], found[2] + ("," + rest if rest else "")
+    stem = rf"\{stem}" if stem in GREEK else stem if len(stem) == 1 else rf"\mathrm{{{stem}}}"
+    below = "".join(rf"\{part}" if part in GREEK else part for part in re.split(r"_", rest))
+    return f"{stem}_{{{below}}}" if below else stem

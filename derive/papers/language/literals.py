@@ -1,0 +1,116 @@
+"""Literals of claims: matrices, blocks, entries, identity and zeros, whose arguments are written out."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Callable
+from typing import Any, Protocol
+
+from ...maps.any_phi.grammar import source
+from . import matrices
+from .abbreviations import ClaimError
+from .printed import Number, Term
+from .shapes import Kind, is_number, name
+
+SIZE_MAX = 12
+"""Largest numbers of rows and columns of `identity` and `zeros`."""
+
+class Reader(Protocol):
+    """Reader of a text, as the literals use it."""
+
+    text: str
+
+    def read(self, node: ast.expr) -> tuple[Term, Kind]: ...
+
+    def error(self, message: str, node: ast.expr) -> ClaimError: ...
+
+
+def integer(node: ast.expr) -> int | None:
+    """Return a written integer, or None."""
+    match node:
+        case ast.Constant(value=int(value)):
+            return value
+        case ast.UnaryOp(op=ast.USub(), operand=ast.Constant(value=int(value))):
+            return -value
+    return None
+
+
+def _rows(reader: Reader, node: ast.Call) -> list[list[ast.expr]]:
+    call = source(node.func, reader.text)
+    given = node.args[0] if len(node.args) == 1 else None
+    if not (isinstance(given, ast.List) and given.elts and all(isinstance(r, ast.List) for r in given.elts)):
+        raise reader.error(f"{call} takes rows in brackets: {call}([[a, b], [c, d]])", node)
+    rows = [row.elts for row in given.elts if isinstance(row, ast.List)]
+    if not all(rows):
+        raise reader.error(f"{call} has an empty row", node)
+    return rows
+
+
+def _matrix(reader: Reader, node: ast.Call) -> tuple[Term, Kind]:
+    rows = _rows(reader, node)
+    if len({len(row) for row in rows}) > 1:
+        raise reader.error("the rows of a matrix have different lengths", node)
+    found = [[reader.read(entry) for entry in row] for row in rows]
+    for parts, row in zip(found, rows, strict=True):
+        for (_, kind), entry in zip(parts, row, strict=True):
+            if not is_number(kind):
+                raise reader.error(f"an entry is a number, got {name(kind)} (blocks: block)", entry)
+    size = len(rows), len(rows[0])
+    term = matrices.literal("matrix", [[term for term, _ in row] for row in found])
+    return term, ("number" if size == (1, 1) else size)
+
+
+def _block(reader: Reader, node: ast.Call) -> tuple[Term, Kind]:
+    rows = _rows(reader, node)
+    found = [[reader.read(part) for part in row] for row in rows]
+    sizes: list[list[Any]] = [[(1, 1) if is_number(kind) else kind for _, kind in row] for row in found]
+    for parts, row in zip(sizes, rows, strict=True):
+        for size, part in zip(parts, row, strict=True):
+            if not isinstance(size, tuple):
+                raise reader.error(f"a block is a matrix, got {name(size)}", part)
+            if size[0] != parts[0][0]:
+                raise reader.error(f"blocks side by side have {parts[0][0]} and {size[0]} rows", part)
+    widths = [sum(columns for _, columns in parts) for parts in sizes]
+    if len(set(widths)) > 1:
+        raise reader.error(f"the rows of blocks have {', '.join(map(str, widths))} columns", node)
+    term = matrices.literal("block", [[term for term, _ in row] for row in found])
+    return term, (sum(parts[0][0] for parts in sizes), widths[0])
+
+
+def _entry(reader: Reader, node: ast.Call) -> tuple[Term, Kind]:
+    if len(node.args) not in (2, 3):
+        raise reader.error("entry takes a column and an index, or a matrix and two", node)
+    (a, kind), *indices = [reader.read(argument) for argument in node.args]
+    size: Any = (4, 1) if kind == "quaternion" else kind
+    if not isinstance(size, tuple) or (len(indices) == 1 and size[1] != 1):
+        raise reader.error(f"entry takes a column and an index, or a matrix and two, got {name(kind)}",
+                         node.args[0])
+    for most, (_, of), argument in zip(size, indices, node.args[1:], strict=False):
+        written = integer(argument)
+        if of != "integer" or (written is not None and not 1 <= written <= most):
+            raise reader.error(f"an index is an integer from 1 to {most}", argument)
+    return matrices.entry(a, *(term for term, _ in indices)), "number"
+
+
+def _sizes(reader: Reader, node: ast.Call, count: int) -> list[int]:
+    sizes = [integer(argument) for argument in node.args]
+    call = source(node.func, reader.text)
+    if len(sizes) != count or not all(size is not None and 1 <= size <= SIZE_MAX for size in sizes):
+        raise reader.error(f"{call} takes {'a size' if count == 1 else 'two sizes'} from 1 to {SIZE_MAX}", node)
+    return [size for size in sizes if size is not None]
+
+
+def _identity(reader: Reader, node: ast.Call) -> tuple[Term, Kind]:
+    (n,) = _sizes(reader, node, 1)
+    return matrices.identity_of(Number(n)), ("number" if n == 1 else (n, n))
+
+
+def _zeros(reader: Reader, node: ast.Call) -> tuple[Term, Kind]:
+    m, n = _sizes(reader, node, 2)
+    return matrices.zeros(Number(m), Number(n)), ("number" if (m, n) == (1, 1) else (m, n))
+
+
+LITERALS: dict[str, Callable[[Reader, ast.Call], tuple[Term, Kind]]] = {
+    "matrix": _matrix, "block": _block, "entry": _entry, "identity": _identity, "zeros": _zeros,
+}  # fmt: skip
+"""Readers of literals by name."""

@@ -1,0 +1,308 @@
+"""Points at which a claim may fail: wide values, special values, equal letters, and zero sets of its singular parts."""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Iterable, Iterator, Sequence
+from contextlib import suppress
+from dataclasses import replace
+from fractions import Fraction
+from functools import cached_property
+from itertools import chain, combinations, islice
+from typing import Any
+
+from ..algebra import Vector
+from .claim import Claim, Place, kind, operators
+from .constrained import onto, touching
+from .language.printed import Symbol, Term, symbols
+from .language.written import written
+from .numbers.balls import BlurredError
+from .numbers.kinds import Kind, Numbers, special
+from .numbers.quantities import ORDER, SIGN
+from .singular import ABSENT, ORDERED, Singular, bare, is_integer, singular, size
+from .zeros import Line, at_integers, crossed
+
+SHORT = tuple(map(Fraction, (1, 2, -1, 3, -2)))
+"""Numbers of the first points, so that counterexamples are short."""
+REGIMES = ((5, 0.1, 1.0), (5, 0.5, 2.0), (5, 2.0, 12.0), (2, 1e-6, 1e-3), (2, 30.0, 1e3))
+"""Number of wide points with coordinates of each size; further points mix the sizes."""
+ORDERS = (1, 1, 2, 2, 3, 4, 5, 9, 25)
+"""Orders at which claims are evaluated, small ones more often."""
+BOUND = 1000
+"""Size of integers and orders at which inequalities are tried."""
+PAIRS_MAX, PAIRS_BRIEF = 24, 8
+"""Number of points with two special letters, and with fixed orders and branches."""
+PROJECTIONS_MAX = 40
+"""Number of points that are moved onto the equations of the stated domain."""
+FEW = 24
+"""Number of points in the stated domain below which more are drawn near them."""
+
+
+class Probe:
+    """Source of the points of a claim, determined by the number of its entry.
+
+    With `fixed` orders, branches and signs the points are few, since all choices of these are tried in turn.
+    """
+
+    def __init__(self, claim: Claim, fixed: dict[Symbol, int] | None = None, label: str = "") -> None:
+        self.claim, self.fixed, self.label = claim, fixed, label
+        self.random = random.Random(f"probe {claim.entry.number}")
+        self.roots: dict[tuple[Term, Symbol], list[float]] = {}  # zeros of singular parts along the first line
+        self._projections = 0
+
+    # ---- coordinates ----------------------------------------------------------------------------------------------
+
+    def _number(self, spread: str, low: float, high: float) -> Fraction:
+        exponent = self.random.uniform(0, 1)
+        value = Fraction(f"{low * (high / low) ** exponent:.3g}")
+        if spread == "integer":
+            return Fraction(self.random.randint(-9, 9) if high < 30 else self.random.randint(-900, 900))
+        return value if spread == "positive" else value * self.random.choice((-1, 1))
+
+    def _spread(self, row: Kind) -> str:
+        return "positive" if row.forward and self.fixed is not None else row.spread
+
+    def _drawn(self, letter: Symbol, low: float, high: float) -> Numbers:
+        row = kind(letter)
+        free = [self._number(self._spread(row), low, high) for _ in range(row.size)]
+        return [Fraction(1), *free[1:]] if row.projective and self.random.random() < 0.8 else free
+
+    def _discrete(self) -> dict[Symbol, Any]:
+        if self.fixed is not None:
+            return dict(self.fixed)
+        return {a: self.random.choice(ORDERS if a.quantity is ORDER else (-1, 1))
+                for a in self.claim.letters if a.quantity in (ORDER, SIGN)}  # fmt: skip
+
+    def drawn(self, low: float = 0.3, high: float = 2.0) -> dict[Symbol, Any]:
+        """Return coordinates of all letters, of a size between two bounds."""
+        return {**self._discrete(), **{a: self._drawn(a, low, high) for a in self.claim.coordinates}}
+
+    # ---- points ---------------------------------------------------------------------------------------------------
+
+    def quick(self) -> Iterator[Place]:
+        """Yield the first points in the stated domain: short numbers, then generic ones."""
+        return self._moved(chain(self._short(), self._generic()))
+
+    def all(self) -> Iterator[Place]:
+        """Yield all points in the stated domain; quick refutations come first."""
+        return self._moved(self._all())
+
+    def _moved(self, places: Iterator[Place]) -> Iterator[Place]:
+        """Yield the points that lie in the stated domain, moved onto its equations; more near them if they are few."""
+        found = []
+        for place in self._inside(places):
+            found.append(place)
+            yield place
+        if self.claim.entry.claimed is not None and len(found) < FEW:
+            yield from self.near(found)
+
+    def near(self, found: Sequence[Place]) -> Iterator[Place]:
+        """Yield points in the stated domain near others, as many as make a region known."""
+        return self._inside(map(self._near, list(found)[:FEW] * (FEW // max(len(found), 1))))
+
+    def _near(self, place: Place) -> Place:
+        """Return a point whose coordinates differ by up to a half."""
+        at = {a: c for a, c in place.at.items() if a not in self.claim.coordinates or kind(a).spread == "integer"}
+        for letter in (a for a in self.claim.coordinates if a not in at):
+            shown = [Fraction(f"{float(c):.6g}") for c in place.at[letter]]
+            at[letter] = [c + Fraction(self.random.randint(-50, 50), 100) * (c or 1) for c in shown]
+        return replace(place, label=f"near {place.label}", at=at, generic=True, on="")
+
+    def _inside(self, places: Iterable[Place]) -> Iterator[Place]:
+        for place in places:
+            try:
+                if self.claim.inside(place) and not (self.claim.constraints and self.claim.depth):
+                    yield place
+                elif self.claim.constraints:
+                    yield from islice(filter(self.claim.inside, self._projected(place)), 1)
+            except BlurredError:
+                continue
+
+    def _projected(self, place: Place) -> Iterator[Place]:
+        """Yield the points on the equations of the domain near a point and near the opposite one."""
+        opposite = {a: kind(a).antipode(c) if a in self.claim.coordinates else c for a, c in place.at.items()}
+        for start in (place, replace(place, at=opposite)):
+            if self._projections < PROJECTIONS_MAX and (moved := onto(self.claim, start)):
+                self._projections += 1
+                yield moved
+
+    def _short(self) -> Iterator[Place]:
+        for i in range(3):
+            at: dict[Symbol, Any] = self._discrete()
+            for place, letter in enumerate(self.claim.coordinates):
+                row = kind(letter)
+                free = [SHORT[(i + place) % len(SHORT)], *self.random.choices(SHORT, k=row.size - 1)]
+                free = [abs(c) if self._spread(row) == "positive" else c for c in free]
+                at[letter] = [Fraction(1), *free[1:]] if row.projective else free
+            yield Place(f"short numbers {i + 1}", at, generic=True)
+
+    def _generic(self) -> Iterator[Place]:
+        sizes = [(low, high) for count, low, high in REGIMES[:3] for _ in range(count)]
+        for i, (low, high) in enumerate(sizes, 1):
+            yield Place(f"generic point {i}", self.drawn(low, high), generic=True)
+
+    def _all(self) -> Iterator[Place]:
+        if self.fixed is not None:
+            stages = [
+                islice(self._short(), 1), islice(self._generic(), 2), self._special(), self._given(), self._related(),
+                self._zeros(), islice(self._wide(), 4, 5), islice(self._pairs(), PAIRS_BRIEF),
+            ]  # fmt: skip
+        else:
+            stages = [self._short(), self._generic(), self._wide(), self._far(), self._special(), self._related(),
+                      self._zeros(), self._pairs()]  # fmt: skip
+        for place in chain.from_iterable(stages):
+            yield replace(place, label=f"{self.label}{place.label}") if self.label else place
+
+    def _wide(self) -> Iterator[Place]:
+        sizes = [(low, high) for count, low, high in REGIMES[3:] for _ in range(count)]
+        for i, (low, high) in enumerate(sizes, 1):
+            yield Place(f"wide point {i}", self.drawn(low, high))
+        for i in range(len(sizes) + 1, len(sizes) + 7):
+            at = {a: self._drawn(a, *self.random.choice(REGIMES)[1:]) for a in self.claim.coordinates}
+            yield Place(f"wide point {i}", {**self._discrete(), **at})
+
+    def _far(self) -> Iterator[Place]:
+        """Yield large integers, at which inequalities may fail."""
+        if not ORDERED.isdisjoint(operators(self.claim.statement)):
+            for n in (BOUND, -BOUND):
+                at = self.drawn()
+                at |= {a: [Fraction(n)] for a in self.claim.coordinates if kind(a).spread == "integer"}
+                at |= {a: abs(n) for a in self.claim.letters if a.quantity is ORDER}
+                yield Place(f"integers of size {BOUND}", at)
+
+    @cached_property
+    def _specials(self) -> list[tuple[Symbol, str, Place]]:
+        """Special coordinates of each letter; of a dual one also with the dual part 0."""
+        found = []
+        for a in self.claim.coordinates:
+            rows: list[tuple[str, Numbers, dict[Symbol, Numbers]]]
+            rows = [(label, c, {}) for label, c in special(kind(a)).items()]
+            if kind(a).dual:
+                still: dict[Symbol, Numbers] = {a: [Fraction(0)] * len(self.claim.further(a, Place("", {})))}
+                rows += [(f"{label}, real", c, still) for label, c, _ in rows[:1]]
+                rows.append(("real", self._drawn(a, 0.3, 2.0), still))
+            found += [(a, label, Place("", {a: c}, parts=parts)) for label, c, parts in rows]
+        return found
+
+    def _special(self) -> Iterator[Place]:
+        for letter, label, one in self._specials:
+            yield Place(f"{letter.name}: {label}", {**self.drawn(), **one.at}, parts=one.parts)
+        origin = {a: special(kind(a))["0"] for a in self.claim.coordinates if "0" in special(kind(a))}
+        if len(origin) > 1:
+            yield Place(f"{', '.join(a.name for a in origin)} = 0", {**self.drawn(), **origin}, pair=True)
+
+    def _pairs(self) -> Iterator[Place]:
+        pairs = [(one, two) for one, two in combinations(self._specials, 2) if one[0] != two[0]]
+        for (a, label, one), (b, other, two) in self.random.sample(pairs, min(PAIRS_MAX, len(pairs))):
+            at, parts = {**self.drawn(), **one.at, **two.at}, {**one.parts, **two.parts}
+            yield Place(f"{a.name}: {label}, {b.name}: {other}", at, parts=parts, pair=True)
+
+    def _given(self) -> Iterator[Place]:
+        for label, values in self.claim.entry.also.items():
+            yield Place(label, self.drawn(), values=values)
+
+    def _related(self) -> Iterator[Place]:
+        """Yield points where two letters of like kinds are equal, opposite or parallel."""
+        for a, b in combinations(self.claim.coordinates, 2):
+            at = self.drawn()
+            if kind(a).build is kind(b).build:
+                yield Place(f"{b.name} = {a.name}", {**at, b: at[a]}, pair=True)
+                if kind(b).spread != "positive":
+                    yield Place(f"{b.name} opposite to {a.name}", {**at, b: kind(b).antipode(at[a])}, pair=True)
+            for one, other in ((a, b), (b, a)):
+                if kind(one).size == kind(other).size == 3 and not kind(one).projective:
+                    along = kind(other).build(at[other])
+                    yield Place(f"{one.name} along {other.name}", {**at, one: [2 * c for c in along]}, pair=True)
+                    inverse = [c / along.dot(along) for c in along]
+                    yield Place(f"{one.name} inverse to {other.name}", {**at, one: inverse}, pair=True)
+                    across = along.cross(Vector(*at[one]))
+                    yield Place(f"{one.name} across {other.name}", {**at, one: list(across)}, pair=True)
+
+    def _zeros(self) -> Iterator[Place]:
+        condition = self.claim.entry.condition
+        stated = [] if condition is None else list(singular(condition))
+        for part in singular(*self.claim.parts):
+            letters = [a for a in self.claim.letters if a in symbols(part.part)]
+            defined = any(a in self.claim.entry.definitions for a in symbols(part.part))
+            if self.fixed is not None and defined and part not in stated:
+                continue  # such parts are slow
+            for letter in letters:
+                if letter in self.claim.coordinates:
+                    for line in islice(self.lines(letter), None if self.fixed is None else 1):
+                        roots, places = line.places(part, brief=self.fixed is not None)
+                        self.roots.setdefault((part.part, letter), roots)
+                        yield from places
+                if self.fixed is None and is_integer(letter):
+                    yield from at_integers(self.claim, part, letter, self.drawn())
+            moving = [a for a in letters if a in self.claim.coordinates and kind(a).spread != "integer"]
+            free, met = sum(kind(a).size for a in moving), any(self.roots.get((part.part, a)) for a in letters)
+            if free > 1 and not met and self.fixed is None:
+                along = [found for line in self._parallel(moving) for found in line.places(part)[1]]
+                yield from along or self._meeting(part)
+
+    def _parallel(self, letters: Sequence[Symbol]) -> Iterator[Line]:
+        """Yield the line of multiples of one vector for another: there turns about one axis add up."""
+        vectors = [a for a in letters if kind(a).size == 3 and not kind(a).projective]
+        for a, b in islice(combinations(vectors, 2), 1):
+            at = self.drawn(0.5, 1.5)
+            yield Line(self.claim, at, b, [Fraction(0)] * 3, at[a])
+
+    def _meeting(self, part: Singular) -> Iterator[Place]:
+        """Yield a point where a part of several letters vanishes: between unlike signs, or where it touches 0."""
+        shown = f"{written(self.claim.entry.contracted(part.part))} = 0"
+        claim = self.claim.with_statement(part.part)
+        drawn = (Place("", self.drawn(low, high)) for _, low, high in REGIMES[:3] * 3)
+        ends: dict[bool, Place] = {}
+        for place in chain(drawn, islice(self._special(), FEW)):
+            with suppress(*ABSENT):
+                ends.setdefault(bool(part.number(claim, place) > 0), place)
+            if len(ends) == 2:
+                break
+        found: Place | None = None
+        for start in (Place("", self.drawn(low, high)) for low, high in ((0.5, 1.5), (1, 5))):
+            if len(ends) < 2 and found is None:
+                found = self._allowed(touching(claim, start, part.part, part.size))
+                with suppress(*ABSENT):
+                    if found is not None and part.number(claim, start) * part.number(claim, found) < 0:
+                        yield replace(found, label=f"beyond {shown}")
+                        ends, found = {False: start, True: found}, None
+        if len(ends) == 2:
+            found = crossed(claim, part, ends[False], ends[True])
+        if found is not None:
+            yield replace(found, label=shown, on=shown)
+
+    def _allowed(self, place: Place | None) -> Place | None:
+        """Return a point unless a coordinate of a positive letter is not."""
+        positive = [a for a in self.claim.coordinates if kind(a).spread == "positive"]
+        return None if place is None or any(c <= 0 for a in positive for c in place.at[a]) else place
+
+    def roots_along(self, part: Term, letter: Symbol) -> tuple[str, list[float]] | None:
+        """Return the name of a letter's value and the values at which a part vanishes, if they are those of a line."""
+        line, part = next(self.lines(letter), None), bare(part)
+        if line is None or not (line.radial or kind(letter).size == 1):
+            return None
+        found = line.roots(Singular(part, size))
+        known = self.roots.get((part, letter), found)
+        alike = len(known) == len(found) and all(abs(a - b) < 1e-9 for a, b in zip(known, found))
+        return (line.shown, found) if alike else None
+
+    def lines(self, letter: Symbol) -> Iterator[Line]:
+        """Yield lines of points: multiples of a vector, and a line through another point."""
+        row, at = kind(letter), self.drawn(0.5, 1.5)
+        if row.spread == "integer":
+            return
+        start = [Fraction(self.random.choice((-1, 1)) * self.random.randint(2, 9), 5) for _ in range(row.size)]
+        head, tail = ([0] * row.size, start) if row.size == 1 else (start, [*start[1:], start[0]])
+        if row.size in (3, 6) and not row.projective:
+            yield Line(self.claim, at, letter, [Fraction(0)] * row.size, start, row.size == 3)
+        yield Line(self.claim, at, letter, head, [Fraction(1)] if row.size == 1 else tail)
+
+
+def places(claim: Claim) -> Iterator[Place]:
+    """Yield the points of a claim; those of an entry in Python for each order, branch and sign in turn."""
+    if claim.entry.of_file:
+        yield from Probe(claim).all()
+        return
+    for fixed in claim.choices:
+        order = next((f"n = {n}, " for a, n in fixed.items() if a.quantity is ORDER), "")
+        yield from Probe(claim, fixed, order).all()

@@ -1,0 +1,126 @@
+"""Proof of a claim at generic values of an exact field, which decides it for all values at once."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+from math import lcm
+from typing import Any
+
+from ..algebra.element import NotExactError
+from .claim import Claim, operators
+from .constrained import gaps
+from .language.environment import Env
+from .language.operator_table import over
+from .language.printed import Number, Symbol, Term, Trait, takes_apart, walk, with_trait
+from .numbers.generic import Generic
+from .numbers.ideal import Ideal
+from .numbers.quantities import BRANCH, ORDER
+
+Pairs = list[tuple[Any, Any]]
+"""Pairs of equal numbers in one exact field."""
+WAYS: tuple[Mapping[str, bool], ...] = ({}, {"turning": True}, {"framed": False})
+"""Generic values: a vector's magnitude as the tangent of an angle, as an angle, and free components."""
+COMPONENTWISE = frozenset(("vector", "matrix", "block", "entry", "kron", "vec", "zeros"))
+"""First words of operators that depend on the frame."""
+
+
+class ContradictionError(Exception):
+    """Error for a claim that is true at all points and false exactly."""
+
+
+def proved(claim: Claim, found: list[Pairs] | None = None) -> str | None:
+    """Return for which orders a claim is proved, as "exact …", or None.
+
+    If `found` is a list, fractions are not reduced, and it receives the pairs of equal numbers for each choice of
+    order, branch and sign.
+    """
+    order = next((a for a in claim.letters if a.quantity is ORDER), None)
+    branch = next((a for a in claim.letters if a.quantity is BRANCH), None)
+    for way in WAYS if _frame_is_free(claim) else WAYS[2:]:
+        for every in (True, False) if order is not None and branch is None else (False,):
+            choices = _without(order, claim.choices) if every else claim.choices
+            if found is not None:
+                found.clear()
+            try:
+                inside = [_proved_at(claim, way, fixed, order if every else None, found) for fixed in choices]
+            except NotExactError:
+                continue
+            if any(inside):
+                orders = "all n" if every else f"n = {', '.join(map(str, dict.fromkeys(c[order] for c in choices)))}" \
+                    if order is not None else ""  # fmt: skip
+                return ", ".join(filter(None, ("exact", orders)))
+    return None
+
+
+def _without(order: Symbol | None, choices: tuple[dict[Symbol, int], ...]) -> list[dict[Symbol, int]]:
+    found: list[dict[Symbol, int]] = []
+    for fixed in choices:
+        rest = {a: value for a, value in fixed.items() if a != order}
+        if rest not in found:
+            found.append(rest)
+    return found
+
+
+def _frame_is_free(claim: Claim) -> bool:
+    """Return whether a frame may be chosen along the vectors."""
+    if claim.entry.components or claim.constraints:
+        return False
+    return not claim.entry.of_file or COMPONENTWISE.isdisjoint(
+        name.split()[0] for name in operators(*claim.parts) if name)  # fmt: skip
+
+
+def _proved_at(
+    claim: Claim, way: Mapping[str, bool], fixed: Mapping[Symbol, int], order: Symbol | None, found: list[Pairs] | None
+) -> bool:
+    """Return whether the generic values lie in the domain; if they do, raise unless the claim is true there."""
+    lengths = {a for part in with_trait(Trait.LENGTH, *claim.parts) for a in claim.entry.free(part)}
+    letters = sorted(claim.coordinates, key=lambda a: a not in lengths)  # only the first has a rational magnitude
+    steps = lcm(steps_of(claim.statement), *(4 * n for a, n in fixed.items() if a.quantity is ORDER))
+    dual = claim.dual and takes_apart(claim.statement, *claim.constraints, *claim.entry.definitions)
+    generic = Generic(letters, dual, claim.depth, steps, order=order, **way)
+    generic.field.functions.lowest_terms = found is None
+    for branch, k in fixed.items():
+        if branch.quantity is BRANCH:
+            generic.fix_branch(branch, k)
+    env = Env(generic.field, generic.values | dict(fixed), claim.entry.definitions, generic.dual, claim.depth)
+    if claim.constraints:
+        equations = [generic.field.functions.element(c) for c in gaps(env, claim.constraints)]
+        generic.field.ideal = Ideal([equation for equation in equations if equation])
+    if not _inside(claim, env):
+        return False
+    _require(claim, env, found)
+    return True
+
+
+def _inside(claim: Claim, env: Env) -> bool:
+    try:
+        return all(env.value(part) for part in claim.parts[1:])
+    except NotExactError:
+        return True
+    except ArithmeticError:
+        return False
+
+
+def _require(claim: Claim, env: Env, found: list[Pairs] | None) -> None:
+    """Raise unless the statement is true at generic values, by roots and angles that are those at all points."""
+    pairs: Pairs | None = None if found is None else []
+    field: Any = env.field
+    try:
+        true = replace(env, values=dict(env.values), found=pairs).value(claim.statement)
+    except NotExactError:
+        raise
+    except (ArithmeticError, TypeError) as error:
+        raise NotExactError("no generic value") from error
+    if not true and not (field.branched or claim.constraints):
+        raise ContradictionError("true at all points but false exactly")
+    if not true or (field.branched and claim.entry.of_file):
+        raise NotExactError("other roots")
+    if found is not None:
+        found.append(pairs or [])
+
+
+def steps_of(statement: Term) -> int:
+    """Return an integer M such that the statement contains only multiples of α/M, for each free angle α."""
+    divisors = [node.arguments[1] for node in walk(statement) if node.operator is over]
+    return 2 * lcm(2, *(d.value for d in divisors if isinstance(d, Number)))
