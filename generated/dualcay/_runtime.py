@@ -180,11 +180,13 @@ def _alone(kernel: Kernel, chart: Chart, arrays: Sequence[Array], table: tuple[s
         if _functions(kernel, dtype) is Floats:
             given = [(a if a.ndim == 1 else a.ravel()).tolist() for a in arrays]
             found = kernel.plain(Floats, chart.plain, *given, *extra)
+            finite = math.isfinite(sum(found))
         else:
             with np.errstate(all="ignore"):
                 found = kernel.plain(Scalars, chart.plain, *[list(a.ravel()) for a in arrays], *extra)
+                finite = math.isfinite(sum(found))
         # elsewhere the recorded program decides: without products with 0, it is finite in more places
-        return _rounded(found, dtype).reshape(kernel.shape) if math.isfinite(sum(found)) else None
+        return _rounded(found, dtype).reshape(kernel.shape) if finite else None
     except RAISED:
         return None
 
@@ -207,12 +209,13 @@ def _one_by_one(
         poses = zip(*[_poses(a, part, batch, axis, functions is Scalars) for a, (_, part) in zip(arrays, kernel.arguments)])
         with np.errstate(all="ignore") if functions is Scalars else nullcontext():
             results = [kernel.plain(functions, chart.plain, *pose, *extra) for pose in poses]
+            finite = functions is Objects or math.isfinite(sum(chain.from_iterable(results)))
     except RAISED:
         if dtype.hasobject:
             raise
         return None
     size = math.prod(kernel.shape)
-    if not dtype.hasobject and not math.isfinite(sum(chain.from_iterable(results))):
+    if not finite:
         return None
     packed = _packed(results, size) if dtype.hasobject else _rounded(list(chain.from_iterable(results)), dtype)
     last = packed.reshape(batch + kernel.shape)
