@@ -47,17 +47,22 @@ class Batch:
 
 
 @lru_cache(maxsize=4)
-def batches(chart: Chart, table: Table = POSES) -> Sequence[Batch]:
-    """Return the calls of every public function; raise ValueError if a call, or a required exact one, is missing."""
+def batches(chart: Chart, table: Table = POSES, names: frozenset[str] | None = None) -> Sequence[Batch]:
+    """Return the calls of every public function, or of the named ones.
+
+    Raise ValueError if a call, or a required exact one, is missing.
+    """
+    wanted = table.public.keys() if names is None else names
     with mpmath.workdps(decimals.EXACT_DIGITS):
-        exactly = [Batch(case.row, (), (case,)) for case in samples.on_symbols(chart, table)] if chart.algebraic else []
+        symbolic = samples.on_symbols(chart, table, wanted) if chart.algebraic else ()
+        exactly = [Batch(case.row, (), (case,)) for case in symbolic]
         closely = [
             Batch(cases[0].row, branch, tuple(map(_decimal, cases)), decimals.tolerance(chart, cases[0].row.remainder))
-            for branch, cases in grouped(samples.at_numbers(chart, table))
+            for branch, cases in grouped(c for c in samples.at_numbers(chart, table) if c.function in wanted)
         ]
-    require("a call", table.public, (batch.function for batch in exactly + closely))
+    require("a call", wanted, (batch.function for batch in exactly + closely))
     if chart.algebraic:
-        exact = [name for name, row in table.public.items() if row.exact]
+        exact = [name for name in wanted if table.public[name].exact]
         require("an exact call", exact, (batch.function for batch in exactly))
     return (*exactly, *closely)
 

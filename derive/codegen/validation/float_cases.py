@@ -80,15 +80,20 @@ class FloatCase(Case):
 
 
 @lru_cache(maxsize=8)
-def cases(chart: Chart, table: Table = POSES) -> Sequence[FloatCase]:
-    """Return calls of every public function, in the order of rows; raise ValueError if one has no finite result."""
+def cases(chart: Chart, table: Table = POSES, names: frozenset[str] | None = None) -> Sequence[FloatCase]:
+    """Return calls of every public function, or of the named ones, in the order of rows.
+
+    Raise ValueError if one has no finite result.
+    """
+    wanted = table.public.keys() if names is None else names
     with mpmath.workdps(EXACT_DIGITS):
         at = vectors_of(chart)
-        found = [FloatCase(c.row, c.branch, c.arguments, c.compute, at) for c in restricted(_seeded(at), table)]
+        drawn = (case for case in restricted(_seeded(at), table) if case.function in wanted)
+        found = [FloatCase(c.row, c.branch, c.arguments, c.compute, at) for c in drawn]
         found = [case for case in found if all(map(mpmath.isfinite, case.result))]  # no v beyond an early edge
-    require("a call in floats", table.public, (case.function for case in found))
-    names = list(table.functions)
-    return tuple(sorted(found, key=lambda case: names.index(case.function)))
+    require("a call in floats", wanted, (case.function for case in found))
+    order = list(table.functions)
+    return tuple(sorted(found, key=lambda case: order.index(case.function)))
 
 
 def composed(chart: Chart, table: Table = POSES) -> Sequence[FloatCase]:

@@ -130,8 +130,8 @@ class Group:
 
 def _groups(chart: Chart, table: Table, geometry: bool) -> list[Group]:
     """Return the cases of all functions and branches; without ``geometry``, `own_functions` on branches 0 and 1."""
-    names = table.public if geometry else own_functions(chart, table)
-    called = (c for c in cases(chart, table) if c.function in names and (geometry or c.branch in (None, 0, 1)))
+    found = cases(chart, table, None if geometry else frozenset(own_functions(chart, table)))
+    called = (case for case in found if geometry or case.branch in (None, 0, 1))
     return [Group(found[0].row, branch, found[:CASES_MAX]) for branch, found in grouped(called)]
 
 

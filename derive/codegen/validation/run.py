@@ -44,8 +44,7 @@ def validate(folder: Path, chart: Chart, geometry: bool, tables: Sequence[Table]
 
 def chosen(chart: Chart, table: Table, whole: bool) -> list[Batch]:
     """Return the cases of all functions if ``whole``, else the cases of `own_functions`."""
-    names = table.public if whole else own_functions(chart, table)
-    return [batch for batch in batches(chart, table) if batch.function in names]
+    return list(batches(chart, table, None if whole else frozenset(own_functions(chart, table))))
 
 
 def own_functions(chart: Chart, table: Table) -> Collection[str]:

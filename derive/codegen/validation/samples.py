@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import itertools
 import random
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from functools import lru_cache, partial
 
 import mpmath
@@ -50,9 +50,9 @@ POLE_DISTANCE = mpmath.mpf(1) / 64
 # --- on symbols ---------------------------------------------------------------------------------------------------
 
 
-def on_symbols(chart: Chart, table: Table) -> Iterator[Case]:
-    """Yield a call of every algebraic function of a table, and of `from_quaternion` if it needs few roots."""
-    for name in filter(table.sources.__contains__, ALGEBRAIC):
+def on_symbols(chart: Chart, table: Table, names: Collection[str]) -> Iterator[Case]:
+    """Yield a call of each named algebraic function, and of `from_quaternion` if it needs few roots."""
+    for name in (name for name in ALGEBRAIC if name in table.sources and table.sources[name].name in names):
         maps = [chart.quaternion] if name in BY_QUATERNION else [chart.tensor, chart.tangent, chart.tangent_inv]
         yield (case := _on_symbols(chart, table.sources[name], *maps))
         if name in BY_QUATERNION and _goes_back_by_roots(chart):
