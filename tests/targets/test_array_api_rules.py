@@ -101,7 +101,7 @@ def test_derivatives_equal_those_of_the_text(charts, name, folder, monkeypatch):
         return both_ways(getattr(module, name), *values)
 
     by_rule = compiled(derivatives, *given)
-    monkeypatch.setattr(charts("_jax"), "RULES", {})
+    monkeypatch.setattr(charts("_rules"), "RULES", {})
     expected = compiled(lambda *values: derivatives(*values), *given)
     for found, wanted in zip(jax.tree.leaves(by_rule), jax.tree.leaves(expected), strict=True):
         assert_equal(found, wanted)
@@ -118,7 +118,7 @@ def test_six_calls_share_the_text_of_one(charts, name, mode, monkeypatch):
         return six / one
 
     assert growth() < 2
-    monkeypatch.setattr(charts("_jax"), "RULES", {})
+    monkeypatch.setattr(charts("_rules"), "RULES", {})
     assert growth() > 4
 
 
