@@ -7,6 +7,7 @@ from functools import cache, partial
 from typing import Any
 
 import jax
+import jax.numpy as jnp
 
 from ._chart import Array, Call
 from ._rules import Values, slope_of, value_of
@@ -15,6 +16,29 @@ from ._rules import Values, slope_of, value_of
 def held(value: Any) -> Any:
     """Return a value as a constant of differentiation."""
     return jax.lax.stop_gradient(value) if hasattr(value, "shape") else value
+
+
+def apart(values: Values) -> Values:
+    """Return values that XLA stores on a CPU; its fusions compute shared values again for each result.
+
+    XLA sees a choice whose outcome it cannot know. Fusions do not cross a choice, and other devices need none. Unlike
+    a product with the unit matrix, a choice keeps NaN in its place.
+    """
+    places = [i for i, value in enumerate(values) if isinstance(value, jax.core.Tracer)]
+    arrays = [values[i] for i in places]
+    if not arrays or len({(array.shape, array.dtype) for array in arrays}) > 1:
+        return values
+    chosen = jax.lax.optimization_barrier(jnp.array(True))
+    found = dict(zip(places, jax.lax.platform_dependent(jnp.stack(arrays), cpu=partial(_chosen, chosen), default=_same)))
+    return [found.get(i, value) for i, value in enumerate(values)]
+
+
+def _same(array: Array) -> Array:
+    return array
+
+
+def _chosen(chosen: Array, array: Array) -> Array:
+    return jax.lax.cond(chosen, _same, jnp.negative, array)
 
 
 def carry(slope: Callable[[Values, Values, Values], Values], results: Values, given: Values) -> Sequence[Array]:

@@ -207,7 +207,8 @@ def run(m: Any, kernel_call: Call, axis: int, arrays: Values) -> Array:
 
 def value_of(kernel_call: Call, *given: Array) -> Array:
     """Return the result of a kernel on arrays whose components are last."""
-    return computed(functions_of(kernel_call.name, given[0]), kernel_call, -1, given)
+    m = functions_of(kernel_call.name, given[0])
+    return m.apart([computed(m, kernel_call, -1, given)])[0]
 
 
 def slope_of(kernel_call: Call, result: Array, values: Values, rates: Values) -> Array:

@@ -46,6 +46,10 @@ class Namespace:
         """Return results whose derivative by the given arrays is a rule, if the library differentiates."""
         return results
 
+    def apart(self, values: Sequence[Any]) -> Sequence[Any]:
+        """Return values that a compiler stores, rather than compute them again for each result that needs them."""
+        return values
+
     def taken(self, value: Any) -> Array:
         """Return a Python value or a NumPy array as an array of this library; numbers take the arguments' type."""
         return self.xp.asarray(value, dtype=None if hasattr(value, "dtype") else self.dtype, **self.place())
@@ -143,6 +147,10 @@ class Jax(Ruled, Unplaced):
     """Functions of JAX."""
 
     library = "._jax"
+
+    def apart(self, values: Sequence[Any]) -> Sequence[Any]:
+        found: Sequence[Any] = importlib.import_module(self.library, __package__).apart(values)
+        return found
 
 
 class Torch(Ruled):

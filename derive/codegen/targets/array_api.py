@@ -12,6 +12,7 @@ from ..lowered import lower_chart
 from ..lowering.retraction import EXPONENTIAL
 from ..lowering.scalar_programs import SCALARS, SQUARES
 from ..package import Data
+from ..rows import Table
 from ..validation import Library, Machinery, runtime
 from .python import PythonTarget, printed_scalars
 
@@ -33,6 +34,9 @@ STEP_SCALARS = (
 )  # fmt: skip
 """Scalar programs of the exponential that the rules of differentiation need."""
 
+STORED = ("exponential_scalars", "nearest")
+"""Geometry programs whose results many steps read, as they do those of scalar programs."""
+
 STANDARD = (np.dtype(np.float64), np.dtype(np.float32))
 
 
@@ -50,6 +54,9 @@ class ArrayApi(PythonTarget):
         scalars = lower_chart(EXPONENTIAL).scalars
         kept = {name: scalars[name] for name in STEP_SCALARS}
         return super().shared() | {"_slopes.py": {**printed_scalars(EXPONENTIAL, kept), **rules_of_slopes()}}
+
+    def geometry(self, table: Table) -> Data:
+        return {**super().geometry(table), "stored": STORED}
 
     def libraries(self) -> Sequence[Library]:
         """Return NumPy, and the strict reference of the standard if installed, with the standard's types."""
