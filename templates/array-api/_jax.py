@@ -29,7 +29,8 @@ def apart(values: Values) -> Values:
     if not arrays or len({(array.shape, array.dtype) for array in arrays}) > 1:
         return values
     chosen = jax.lax.optimization_barrier(jnp.array(True))
-    found = dict(zip(places, jax.lax.platform_dependent(jnp.stack(arrays), cpu=partial(_chosen, chosen), default=_same)))
+    stored = jax.lax.platform_dependent(jnp.stack(arrays), cpu=partial(_chosen, chosen), default=_same)
+    found = dict(zip(places, stored, strict=True))
     return [found.get(i, value) for i, value in enumerate(values)]
 
 
