@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from pathlib import Path
 
-ORDER = ("kernels", "native", "libraries", "motion", "propagate", "compiling", "recorded")
+ORDER = ("kernels", "native", "libraries", "motion", "propagate", "compiling", "jitted", "recorded")
 """Names of the sections, in the order of the page."""
 
 INTRODUCTION = """# Speed

@@ -9,7 +9,7 @@ import pytest
 
 from derive.codegen.signatures import PUBLIC
 from tests.support import packages
-from tests.support.derivatives import GATE, Case, by_jax, by_torch, errors, points
+from tests.support.derivatives import GATE, ROUND, Case, by_jax, by_torch, errors, points
 from tests.support.libraries import LIBRARIES, QUICKLY
 
 pytestmark = pytest.mark.filterwarnings("ignore:.torch.jit:DeprecationWarning")  # PyTorch's own, in forward mode
@@ -40,7 +40,7 @@ def worst(module, chart, name, library, dtype=np.float64, regimes=()):
         skipped = (regime == "half turn" and name in SIDES) or not np.isfinite(kernel.pose(v)).all()
         if not skipped and (not regimes or regime in regimes):
             for mode, error in errors(Case(chart, name, v), module, library, dtype).items():
-                if not error <= GATE:
+                if not error <= GATE * (1 + (name in ROUND)):  # a round trip has the errors of two kernels
                     found[regime, mode] = error
     return found
 

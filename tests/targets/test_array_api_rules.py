@@ -122,6 +122,27 @@ def test_six_calls_share_the_text_of_one(charts, name, mode, monkeypatch):
     assert growth() > 4
 
 
+def test_compiled_functions_multiply_about_as_often_as_their_programs(charts, monkeypatch):
+    """Count multiplications that XLA runs for two compositions; without stored results it repeats far more than half.
+
+    XLA's own rewriting of constants and inverse tangents adds some multiplications to those of the program.
+    """
+    module, given = charts("exponential"), arguments()[:2]
+
+    def ratio():
+        lowered = jax.jit(lambda b, a: module.compose(module.compose(b, a), a)).lower(*given)
+        once = lowered.as_text().count("stablehlo.multiply")  # both calls share this text
+        return lowered.compile().as_text().count(" multiply(") / (2 * once)
+
+    stored = ratio()
+    monkeypatch.setattr(charts("_jax"), "apart", lambda values: values)
+    charts("_jax").ruled.cache_clear()
+    jax.clear_caches()
+    repeated = ratio()
+    charts("_jax").ruled.cache_clear()
+    assert stored <= 1.5 < repeated
+
+
 def test_second_derivatives(charts):
     """Compare with central differences of an emitted Jacobian: step 1e-5, error 1e-10 of derivatives of about ten."""
     kernel, module = importlib.import_module("dualcay.cayley3"), charts("cayley3")
