@@ -20,7 +20,7 @@ BOUNDS := benchmarks/certified.json
 CHECKS := check-errata check-theorems check-kernels
 
 .DEFAULT_GOAL := generate
-.PHONY: generate check $(CHECKS) proofs machine-proofs bounds verify show test thorough test-native quick smoke lint types mutants native bench accuracy figures parameterizations docs clean help
+.PHONY: generate check $(CHECKS) check-field proofs machine-proofs bounds verify show test thorough test-native quick smoke lint types mutants native bench accuracy figures parameterizations docs clean help
 
 generate: $(READY)  ## derive, prove and write the committed kernels (the default)
 	$(RUN) -m derive generate
@@ -32,6 +32,9 @@ check-kernels: $(READY)
 
 check-errata: $(READY)
 	$(RUN) -m derive verify --format markdown -o docs/errata.md --check
+
+check-field: $(READY)  ## fail if a formula in use is decided otherwise than docs/field.md says (a minute)
+	$(RUN) -m derive.pages.field -o docs/field.md --check
 
 check-theorems: $(READY)
 	$(RUN) -m derive.proof -o docs/theorems.md --check
@@ -49,8 +52,9 @@ bounds: $(VENV)/.bench  ## find bounds of rounding errors with Gappa, and write 
 	$(RUN) -m derive.machine.rounding -o $(BOUNDS)
 	$(RUN) -m benchmarks.accuracy --bounds-only
 
-verify: $(READY)  ## decide every equation of the papers and write docs/errata.md
+verify: $(READY)  ## decide every equation of the papers and of documents in use: docs/errata.md, docs/field.md and .json
 	$(RUN) -m derive verify --format markdown -o docs/errata.md
+	$(RUN) -m derive.pages.field -o docs/field.md
 
 show: $(READY)  ## print the formulas of an order: make show N=3
 	$(RUN) -m derive show -n $(or $(N),1-3)

@@ -36,15 +36,16 @@ if TYPE_CHECKING:
     from .maps.families import alpha
     from .motion_equations import motion_equation
     from .pages.comparison import compare
-    from .papers import verify
+    from .pages.explain import explain
+    from .papers import check, verify
 
 _HOMES = dict.fromkeys(("Cayley", "Parameterization", "family"), "front") | {
     "alpha": "maps.families", "x": "maps", "motion_equation": "motion_equations", "generate": "codegen",
-    "compare": "pages.comparison", "verify": "papers",
+    "compare": "pages.comparison", "explain": "pages.explain", "check": "papers", "verify": "papers",
 }  # fmt: skip
 __all__ = [
-    "Cayley", "Parameterization", "__version__", "alpha", "compare", "family", "generate", "motion_equation", "verify",
-    "x",
+    "Cayley", "Parameterization", "__version__", "alpha", "check", "compare", "explain", "family", "generate",
+    "motion_equation", "verify", "x",
 ]  # fmt: skip
 
 _OWN = {

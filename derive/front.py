@@ -9,9 +9,10 @@ from typing import Any
 import sympy
 
 from . import maps
+from .maps.any_order import AnyOrder
 from .output.listing import Listing
 from .output.progress import bar
-from .proof import Proof, proofs
+from .proof import Proof, proofs, theorems
 
 
 class Provable:
@@ -38,6 +39,24 @@ class Provable:
 class Cayley(Provable, maps.Cayley):
     __doc__ = maps.Cayley.__doc__
 
+    def __new__(cls, order: Any = None, *others: Any, **named: Any) -> Any:
+        """Return a map of symbolic order for an expression with symbols."""
+        symbolic = isinstance(order, sympy.Expr) and bool(order.free_symbols)
+        return object.__new__(CayleyOfAnyOrder if symbolic else cls)
+
+
+@dataclass(frozen=True)
+class CayleyOfAnyOrder(AnyOrder, Cayley):
+    __doc__ = AnyOrder.__doc__
+
+    def subs(self, *changes: Any) -> Any:
+        """Return the map with symbols of its order replaced, as by ``n.subs``; ``subs(n, 7)`` is ``Cayley(7)``."""
+        return Cayley(self.order.subs(*changes))
+
+    def prove(self) -> Listing[Proof]:
+        """Decide the theorems for every n and return their proofs."""
+        return Listing(theorems())
+
 
 def family(name: str) -> Any:
     """Return a parameterization v = φ(α) u by its name, such as ``"lambert"``, ``"sine7"``, ``"scaled3"``.
@@ -53,7 +72,7 @@ def family(name: str) -> Any:
     >>> lambert.phi, lambert.edge
     (sin(alpha/4), 2*pi)
     >>> lambert.tangent.coefficients[1]
-    -8*(x - 1)
+    8 - 8*x
     """
     return provable(maps.family(name))
 
@@ -62,8 +81,8 @@ def Parameterization(phi: str | sympy.Expr, name: str = "phi", order: int | None
     """Return the parameterization v = φ(α) u of a φ, such as ``"alpha/(1 + alpha**2/40)"``.
 
     Besides the attributes listed in `family`, the chart has ``scale`` (a(v) of CP23 (60)), ``range`` of ``|v|``,
-    ``limits`` of T and T⁻¹ at 0, and ``inverse``. Raise `PhiError`, a ValueError with the reason, for a φ that is
-    refused.
+    ``limits`` of T and T⁻¹ at 0, ``angle`` (φ⁻¹ of ``|v|`` as a function of x), and ``inverse`` at numbers.
+    Raise `PhiError`, a ValueError with the reason, for a φ that is refused.
 
     Parameters
     ----------

@@ -9,6 +9,7 @@ import pytest
 
 from derive.about import __version__
 from derive.codegen.targets import TARGETS
+from derive.pages.field_facts import COLLECTIONS
 from derive.papers import PAPERS
 from tests.support import pages
 
@@ -17,7 +18,7 @@ def read(name: str) -> str:
     return (pages.ROOT / name).read_text(encoding="utf-8")
 
 
-ROWS = dict(re.findall(r"^\| (speed|accuracy|proofs|papers) \| (.+?) \| ", read("README.md"), re.M))
+ROWS = dict(re.findall(r"^\| (speed|accuracy|proofs|papers|formulas in use) \| (.+?) \| ", read("README.md"), re.M))
 
 
 def measured() -> dict[str, tuple[str, ...]]:
@@ -35,15 +36,19 @@ def measured() -> dict[str, tuple[str, ...]]:
     controls = sum(map(int, re.findall(r"^- controls: (\d+)$", theorems, re.M)))
     counts = re.findall(r"^\| \w+ \| (\d+) \| \d+ \| \d+ \| \d+ \| (\d+) \|$", read("docs/errata.md"), re.M)
     errata, entries = (sum(map(int, column)) for column in zip(*counts, strict=True))
+    in_use = read("docs/field.md")
+    documents = set(re.findall(r"^\| \[.+?\]\(#in-(\S+)\) \|", in_use, re.M)) - {*COLLECTIONS}
+    field = re.findall(r"^\| all \| (\d+) \| \d+ \| \d+ \| (\d+) \|", in_use, re.M)[0]
     return {
         "speed": speed.groups(),
         "accuracy": accuracy.groups(),
         "proofs": (str(general.count("\n### ")), str(controls)),
         "papers": (str(entries), str(errata)),
+        "formulas in use": (field[0], str(len(documents)), field[1]),
     }
 
 
-@pytest.mark.parametrize("row", ["speed", "accuracy", "proofs", "papers"])
+@pytest.mark.parametrize("row", ["speed", "accuracy", "proofs", "papers", "formulas in use"])
 def test_figures_agree_with_the_pages(row: str) -> None:
     assert tuple(re.findall(r"(?<!\w)\d+(?:\.\d+)?", ROWS[row])) == measured()[row]
 

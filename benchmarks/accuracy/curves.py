@@ -10,7 +10,7 @@ from __future__ import annotations
 import functools
 import multiprocessing
 import warnings
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -157,6 +157,40 @@ def curves(report: Callable[[int, int], None]) -> Curves:
     return found
 
 
+SEARCHED = 10**5
+"""Number of random screws whose poses are searched for the largest error."""
+
+PARTS = 16
+"""Number of equal parts of a screw, a power of two: its pose is a power of the pose of one part."""
+
+
+def searched(count: int = SEARCHED) -> dict[str, float]:
+    """Return the largest errors of Q and ρ over random screws, in eps; angles up to 2π, translations of size one.
+
+    The exact poses are power series in longdouble, whose own errors are below 0.05 eps; scales are as in the curves.
+    """
+    rng = sampling.generator("search", count)
+    axis, shift = (sampling.unit_vectors(rng, (count,)) for _ in range(2))
+    xi = np.concatenate([rng.uniform(0, 2 * np.pi, (count, 1)) * axis, shift], axis=-1)
+    step = np.zeros((count, 4, 4), np.longdouble)
+    for (i, j), k in {(2, 1): 0, (0, 2): 1, (1, 0): 2}.items():
+        step[:, i, j], step[:, j, i] = xi[:, k], -xi[:, k]
+    step[:, :3, 3] = xi[:, 3:]
+    step /= PARTS
+    exact = term = np.broadcast_to(np.eye(4, dtype=np.longdouble), step.shape)
+    for k in range(1, 20):
+        term = term @ step / k
+        exact = exact + term
+    for _ in range(PARTS.bit_length() - 1):
+        exact = exact @ exact
+    off = peers.ours().exp(xi) - exact
+    half = np.linalg.norm(xi[:, :3], axis=-1) / 2
+    across = np.where(half > 0, np.sin(half) / np.where(half > 0, half, 1), 1)
+    sizes = {"Q": np.sqrt(3), "ρ": np.sqrt(1 + 2 * across**2)}  # norms of Q and T
+    parts = {"Q": (off[:, :3, :3] ** 2).sum(axis=(1, 2)), "ρ": (off[:, :3, 3] ** 2).sum(axis=1)}
+    return {part: float(np.max(np.sqrt(parts[part]) / sizes[part]) / np.finfo(float).eps) for part in parts}
+
+
 MAY_BE = 2
 """Error in eps that is always allowed to our exponential, even if another library is more accurate."""
 
@@ -204,15 +238,16 @@ class Drawn:
     standing: Sequence[str]
 
 
-def standing(found: Curves) -> list[str]:
-    """Return lines that compare the accuracy of our exponential map and logarithm with other libraries."""
+def standing(found: Curves, random: Mapping[str, float]) -> list[str]:
+    """Return lines on the errors of our exponential map, also over random screws, and beside other libraries."""
     largest = {
-        part: max(float(np.nanmax(row)) for (_, p, name), row in found.items() if (p, name) == (part, "exponential"))
+        part: max([float(np.nanmax(row)) for (_, p, name), row in found.items() if (p, name) == (part, "exponential")])
         for part in COMPARED
     }
+    largest |= {part: max(error, largest[part]) for part, error in random.items()}
     sizes = ", ".join(f"{part} {error:.2g}" for part, error in largest.items())
     bound = f"the best of these libraries or {MAY_BE} eps, whichever is larger"
-    said = f"`exponential` is off by at most, in eps: {sizes}."
+    said = f"`exponential` is off by at most, in eps: {sizes}; Q and ρ over {SEARCHED} random screws besides."
     short = behind(found)
     if not short:
         return [f"{said} At no angle of the figures is it off by more than {bound}."]

@@ -148,4 +148,4 @@ def draw(folder: Path, bar: Progress, console: Console) -> curves.Drawn:
     used = ", ".join(f"{name} {version}" for name, version in peers.versions(*peers.MAKERS).items() if version)
     note = f"Errors below {FLOOR:g} eps are drawn there. Compared: {used}."
     captions = [(what.file, f"{what.caption} {note}") for what in PICTURES]
-    return curves.Drawn(captions, curves.standing(found))
+    return curves.Drawn(captions, curves.standing(found, curves.searched()))

@@ -50,16 +50,18 @@ class AngleField(RationalFunctions):
         raise NotExactError(f"no multiple of an angle: that of ({x!r}, {y!r})")
 
     def _circle(self, a: Element) -> tuple[Element, Element]:
-        """Return cosine and sine of a rational multiple of an angle."""
-        pi = self.symbol("pi")
-        for name, steps in (*self.angles.items(), (None, 0)):
-            try:
-                turns, multiple = (*a.combination([pi, *([self.symbol(name)] if name else [])]), Fraction(0))[:2]
-            except NotExactError:
+        """Return cosine and sine of a sum of rational multiples of angles."""
+        turns, *multiples = a.combination([self.symbol(name) for name in ("pi", *self.angles)])
+        steps = [multiple * count for multiple, count in zip(multiples, self.angles.values(), strict=True)]
+        if any(part.denominator != 1 for part in (2 * turns, *steps)):
+            raise NotExactError(f"no rational multiple of an angle: {a!r}")
+        c, s = self._turned(None, 0, int(2 * turns) % 4)
+        for name, count in zip(self.angles, steps, strict=True):
+            if not count:
                 continue
-            if (multiple * steps).denominator == 1 and (2 * turns).denominator == 1:
-                return self._turned(name, int(multiple * steps), int(2 * turns) % 4)
-        raise NotExactError(f"no rational multiple of an angle: {a!r}")
+            cosine, sine = self._turned(name, int(count), 0)
+            c, s = c * cosine - s * sine, c * sine + s * cosine
+        return c, s
 
     def _turned(self, name: str | None, steps: int, quarters: int) -> tuple[Element, Element]:
         """Return cosine and sine of ``steps · angle/M`` plus `quarters` quarter turns."""

@@ -51,6 +51,8 @@ class Elementary:
     log = _lifted("log", lambda f, a: 1 / a)
     sinh = _lifted("sinh", lambda f, a: f.cosh(a))
     cosh = _lifted("cosh", lambda f, a: f.sinh(a))
+    asinh = _lifted("asinh", lambda f, a: 1 / f.sqrt(1 + a * a))
+    atanh = _lifted("atanh", lambda f, a: 1 / (1 - a * a))
     # full precision near 0; SymPy has neither function
     expm1 = _lifted("expm1", lambda f, a: f.exp(a))
     log1p = _lifted("log1p", lambda f, a: 1 / (1 + a))
@@ -93,4 +95,5 @@ def _quotient(numerator: Coefficient, denominator: Coefficient, name: str, at: C
 _of = Elementary()
 sin, cos, tan, cot, sinh, cosh, tanh = _of.sin, _of.cos, _of.tan, _of.cot, _of.sinh, _of.cosh, _of.tanh
 asin, acos, atan, atan2, sqrt = _of.asin, _of.acos, _of.atan, _of.atan2, _of.sqrt
+asinh, atanh = _of.asinh, _of.atanh
 exp, log, expm1, log1p = _of.exp, _of.log, _of.expm1, _of.log1p

@@ -82,13 +82,16 @@ def generate(**given: Any) -> None:
 
 @cli.command()
 @orders("Orders n of v = tan(α/2n) u, e.g. 3 or 1-5.")
-@click.option("--what", callback=options.formulas, default=ALL, metavar="NAMES",
-              help=f"Out of {ALL}; all by default. Or {about.SHEET}: four pages of formulas.")  # fmt: skip
+@families("Other parameterizations, e.g. lambert,sine7.")
+@click.option("--phi", metavar="EXPR", help="A parameterization v = φ(α) u of your own, e.g. "
+              "'alpha/(1 + alpha**2/40)'; -n is the n in it.")  # fmt: skip
+@click.option("--what", callback=options.formulas, metavar="NAMES",
+              help=f"Out of {ALL}; by default all of the chart. Or {about.SHEET}: four pages of formulas.")  # fmt: skip
 @form(("text", "latex", "markdown", "json"), "How formulas are written.")
 @click.option("-o", "output", type=options.Place(dir_okay=False), help="File of the sheet, .html or .pdf.")
 @options.max_n
 def show(**given: Any) -> None:
-    """Print the formulas of an order, or write the formula sheet."""
+    """Print the formulas of charts, or write the formula sheet."""
     run_module("show", given)
 
 
@@ -121,7 +124,13 @@ def list_catalogue() -> None:
 
 
 @cli.command()
+@click.argument("sheets", nargs=-1, metavar="[FILE.toml]...", type=click.Path())
 @click.option("--paper", type=click.Choice(about.PAPERS), help="One paper; all by default.")
+@click.option("--claim", metavar="TEXT", help="One claim, e.g. 'R*transpose(R) == I'.")
+@click.option("--let", "letters", metavar="NAME=KIND", multiple=True, help="Kind of a letter, e.g. R=rotation.")
+@click.option("--domain", metavar="TEXT", help="Domain of --claim, e.g. 'norm(v) != 0'.")
+@click.option("--seconds", type=click.FloatRange(min=0, min_open=True), default=60.0, show_default=True,
+              help="Time limit of each equation of a file.")  # fmt: skip
 @click.option("--eq", "equations", metavar="NAMES", help="Numbers or slugs, e.g. 88,111; all by default.")
 @orders("Orders at which statements about n are executed and the formulas proved, e.g. 1-8.")
 @form(about.FORMATS, "How the report is written.")
@@ -131,10 +140,10 @@ def list_catalogue() -> None:
     "--certificates", type=options.Place(dir_okay=False),
     help="JSON file to write: what each decision rests on, for tools/check_certificates.py.",
 )
-@click.option("--strict", is_flag=True, help="Exit 1 for an erratum too.")
+@click.option("--strict", is_flag=True, help="Exit 1 for a false or undecided equation too.")
 @options.max_n
 def verify(**given: Any) -> None:
-    """Decide every equation of the papers, with conditions, and with corrections of the wrong ones."""
+    """Decide every equation of the papers, of files, or one claim: true, true where, or false and how to mend it."""
     run_module("verify", given)
 
 
@@ -156,6 +165,8 @@ def run() -> int:
 def _exit_codes() -> dict[type[Exception], int]:
     from ..codegen import RefusedError, ValidationFailed
     from ..papers import UndecidedError
+    from ..papers.numbers.balls import MissingLibraryError
     from ..proof import ProofFailed
 
-    return {ProofFailed: 1, ValidationFailed: 1, UndecidedError: 1, RefusedError: 3, OSError: 3}
+    return {ProofFailed: 1, ValidationFailed: 1, UndecidedError: 1, RefusedError: 3, OSError: 3,
+            MissingLibraryError: 3}  # fmt: skip

@@ -21,6 +21,8 @@ def compare(
         with display.progress(len(chosen)) as step:
             rows = comparison.compared(chosen, step)
         click.echo(FORMS[form](rows), nl=False)
+    for refusal in filter(None, (row.refusal for row in rows)):
+        click.echo(f"dualcay: {refusal}", err=True)
     if plot is not None:
         try:
             draw(rows, plot)

@@ -41,8 +41,8 @@ def _range(part: str, value: str) -> range:
     return range(first, last + 1)
 
 
-def formulas(context: click.Context, parameter: click.Parameter, value: str) -> tuple[str, ...]:
-    """Return the comma-separated names of formulas, without repetition, or only the name of the formula sheet."""
+def formulas(context: click.Context, parameter: click.Parameter, value: str | None) -> tuple[str, ...]:
+    """Return the comma-separated names of formulas, or the name of the sheet alone; empty for no value."""
     given = listed(context, parameter, value)
     if given == (about.SHEET,):
         return given

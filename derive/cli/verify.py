@@ -14,26 +14,40 @@ from .. import about
 from ..maps import Cayley
 from ..output import files
 from ..output.tables import columns
-from ..papers import ORDERS, PAPERS, Paper, Status
+from ..papers import ORDERS, PAPERS, ClaimError, Paper, Sheet, SheetError, Status, check_sheets, claim_alone, load
 from ..papers import verify as decide
 from ..papers.report import FORMATS, Report, as_text
 from ..proof import citing, proofs, theorems
 from . import display, options
 from .certificates import as_lines, certified
 
+WRONG = (Status.ERRATUM, Status.FALSE, Status.UNDECIDED)
+"""Statuses for which --strict exits with 1."""
+
 
 def verify(
-    paper: str | None, equations: str | None, orders: tuple[int, ...], form: str, output: Path | None,
+    sheets: tuple[str, ...], paper: str | None, claim: str | None, letters: tuple[str, ...], domain: str | None,
+    seconds: float, equations: str | None, orders: tuple[int, ...], form: str, output: Path | None,
     check: bool, certificates: Path | None, strict: bool, max_n: int,
 ) -> None:  # fmt: skip
     """Run the command; parameters are its options."""
     options.require_cap(orders, max_n)
+    if sum(map(bool, (sheets, paper, claim is not None))) > 1:
+        raise click.UsageError("give files, --paper or --claim, one of them")
+    if claim is None and (letters or domain):
+        raise click.UsageError("--let and --domain belong to --claim")
+    if (sheets or claim is not None) and orders:
+        raise click.UsageError("-n belongs to the papers: in a file, n is a letter of the kind order")
     if check and output is None:
         raise click.UsageError("--check needs the file that -o names")
     if certificates is not None and (check or certificates == output):
         raise click.UsageError("--certificates writes a file: leave out --check, and name another file than -o")
     papers, stale = [p for p in PAPERS if paper in (None, p.slug)], []
-    report = _report(papers, _chosen(papers, equations), orders, output)
+    if sheets or claim is not None:
+        read = [_loaded(name) for name in sheets] or [_single(claim or "", letters, domain or "")]
+        report = _of_sheets(read, _chosen(read, equations) if equations else None, seconds)
+    else:
+        report = _report(papers, _chosen(papers, equations), orders, output)
     text = as_text(report, columns()) if form == "text" and output is None else FORMATS[form](report)
     if output is None:
         click.echo(text, nl=False)
@@ -46,9 +60,46 @@ def verify(
         _certify(certificates, report, orders)
     if stale:
         display.differences(stale, options.without_check())
-    wrong = any(result.status is Status.ERRATUM for result in report.results)
+    for problem in report.problems:
+        click.echo(str(problem), err=True)
+    if report.problems:
+        raise click.exceptions.Exit(2)
+    wrong = any(result.status in WRONG for result in report.results)
     if stale or report.failed or (strict and wrong):
         raise click.exceptions.Exit(1)
+
+
+def _loaded(name: str) -> Sheet:
+    try:
+        return load(name)
+    except SheetError as error:
+        raise Unreadable(str(error)) from None
+
+
+class Unreadable(click.ClickException):
+    """Error of one line for a file or claim that cannot be read."""
+
+    exit_code = 2
+
+
+def _single(claim: str, letters: Sequence[str], domain: str) -> Sheet:
+    """Return one claim of the command line as a sheet."""
+    wrong = next((text for text in letters if not all(part.strip() for part in text.partition("="))), None)
+    if wrong is not None:
+        raise click.BadParameter(f"expected NAME=KIND such as v=vector, got {wrong!r}", param_hint="--let")
+    pairs = {name.strip(): kind.strip() for name, _, kind in (text.partition("=") for text in letters)}
+    try:
+        return claim_alone(claim, pairs, domain)
+    except ClaimError as error:
+        raise Unreadable(f"--claim: {error}") from None
+
+
+def _of_sheets(sheets: Sequence[Sheet], equations: list[str] | None, seconds: float) -> Report:
+    total = sum(equations is None or entry.number in equations for sheet in sheets for entry in sheet.entries())
+    with display.progress(total) as step:
+        step("equations")
+        results = check_sheets(sheets, equations, seconds, step)
+    return Report.of(sheets, results, (), "", [problem for sheet in sheets for problem in sheet.problems])
 
 
 def _certify(file: Path, report: Report, orders: tuple[int, ...]) -> None:

@@ -6,7 +6,7 @@ import hashlib
 import itertools
 import textwrap
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
 from typing import Any, Protocol
@@ -51,7 +51,7 @@ class Module:
 
     name: str  # file of the module for poses; other files are companions, such as the module for rotations
     proved: Proved
-    texts: Mapping[str, str]  # files by name
+    texts: Mapping[str, str] = field(hash=False)  # files by name
     counts: Counts = Counts()  # calls that agree with its formulas
 
     @property
@@ -67,7 +67,7 @@ class Module:
 class Package:
     """Package of kernels: the files that all its modules share, by name, and the modules."""
 
-    shared: Mapping[str, str]
+    shared: Mapping[str, str] = field(hash=False)
     modules: tuple[Module, ...]
 
     @property

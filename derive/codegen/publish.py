@@ -92,6 +92,8 @@ def generate_charts(
     """Write proven kernels of charts into a folder; `generate` describes the other parameters."""
     chosen, folder = _target(target), place(output, target)
     wanted = _with_bases(charts, chosen)
+    for chart in wanted:
+        chart.require_kernels()
     entry = notices(wanted, chosen)
     modules = (inside(table, module_name(chart, chosen)) for table in chosen.tables for chart in wanted)
     files.refuse(folder, dict.fromkeys((*chosen.shared(), *modules), "") | entry, force)  # before the long work

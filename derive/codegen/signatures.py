@@ -116,6 +116,7 @@ _ROWS = (
     _selecting("from_exponential", (LOGARITHM,), (V,), shadows.from_exponential),
     _selecting("turn", (V,), (SHADOW,), shadows.turn, public=False),
     _selecting("shadow", (V,), (SHADOW,), shadows.shadow, branch=True),
+    _selecting("stay", (V,), (SHADOW,), shadows.stay, public=False),
     _selecting("identity_jacobian", (V,), (JACOBIAN,), shadows.identity_jacobian, public=False),
     _selecting("shadow_jacobian", (V,), (JACOBIAN,), shadows.shadow_jacobian, branch=True, at_rest="identity_jacobian"),
     _selecting("principal", (V,), (SHADOW,), shadows.principal),

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from abc import abstractmethod
 from collections.abc import Sequence
+from fractions import Fraction
 from typing import Any
 
 import mpmath
@@ -16,13 +17,16 @@ from ..algebra import Coefficient, Quaternion
 from ..algebra.arithmetic import Arithmetic
 from . import order_charts
 from .families import alpha
-from .order_charts import Derivatives, half_cosine, half_sine
+from .order_charts import Derivatives, half_cosine, half_sine, kept_inside
 from .polynomials import Pair
 from .real_constants import number, times
 from .scalars import QuaternionChart
 
 TURNS_MAX = 2
 """Number of whole turns that are listed for a chart without an edge."""
+
+PART_OF_TURN = Fraction(3217, 512)
+"""Number of 12 bits, off 2π by 3e-6 of it: floats hold its multiples, so a turn back loses few digits of an angle."""
 
 
 class AngleChart(QuaternionChart):
@@ -54,14 +58,16 @@ class AngleChart(QuaternionChart):
         r, slope, _ = self.phi_derivatives(angle, m)
         return m.name("r", r), m.name("slope", slope)
 
-    def gain(self, q: Quaternion, size: Coefficient, m: Arithmetic, positive: bool = False) -> Coefficient:
+    def gain(self, q: Quaternion, size: Coefficient, m: Arithmetic) -> Coefficient:
         """Return ``φ/sin(α/2)``; α follows from sine and cosine of α/2."""
-        negative, cosine = half_cosine(q, m, positive)
+        sign, cosine = half_cosine(q, size, m)
+        if self.edge <= sympy.pi:
+            cosine = m.name("size_of_cos", m.abs(cosine))
         still, _, sine = half_sine(q, cosine, m)
         r, _, _ = self.phi_derivatives(m.name("angle", 2 * m.atan2(sine, cosine)), m)
         at_rest = times(number(2 * self.phi.diff(alpha).subs(alpha, 0)), cosine, m, "rest")
         gain = m.where(still, at_rest, r) / m.where(still, cosine * cosine, sine)
-        return m.name("gain", m.where(negative, -1, 1) * gain)
+        return kept_inside(self, m.name("gain", sign * gain), q, m)
 
     # --- branches ---------------------------------------------------------------------------------------------------
 
@@ -69,23 +75,26 @@ class AngleChart(QuaternionChart):
         return self.own_angle(self.scalars(x, m), r)
 
     def turned(self, r: Coefficient, turn: Sequence[Coefficient], m: Arithmetic) -> Derivatives:
-        _, further = turn
+        share, most = turn
         at = self.scalars(m.name("rr", r * r), m)
         angle = m.name("own", self.own_angle(at, r))
-        after = self.phi_derivatives(m.name("alphak", angle + further), m, "k")
+        after = self.phi_derivatives(m.name("alphak", angle + most + share * most), m, "k")
         return order_charts.by_length(self.phi_derivatives(angle, m), after, m)
 
-    def beyond(self, x: Coefficient, table: Sequence[Coefficient], m: Arithmetic) -> tuple[Any, Pair]:
-        """Return whether α > π, and the turn back to the principal angle as the pair (1, angle)."""
-        selected, (one, _) = order_charts.beyond(x, table, m)
-        at, r = self.scalars(x, m), m.name("rx", m.sqrt(x))
+    def beyond(self, x: Coefficient, table: Sequence[Coefficient], m: Arithmetic) -> tuple[Any, Coefficient, Pair]:
+        """Return whether α > π, x there, and the turn back, which leaves all digits of the principal angle."""
+        selected, place, _ = order_charts.beyond(x, table, m)
+        at, r = self.scalars(x, m), m.name("rx", m.sqrt(place))
         s, sine = at.s, m.name("sine", at.w * r)
         sign = m.name("side", m.where(m.less(s, 0), -1, 1))
         reduced = 2 * m.atan2(sign * sine, sign * s)
-        return selected, (one, m.name("back", reduced - self.own_angle(at, r)))
+        back = m.name("back", -self.own_angle(at, r))
+        return selected, place, (m.name("share", m.div(reduced, back)), back)
 
     def turn(self, branch: int) -> tuple[Any, Any]:
-        return mpmath.mpf(1), 2 * branch * mpmath.pi
+        """Return the share of a turn's larger part that is missing, and this part, which floats hold exactly."""
+        part = mpmath.mpf(PART_OF_TURN.numerator) / PART_OF_TURN.denominator
+        return 2 * mpmath.pi / part - 1, branch * part
 
     def returns(self) -> tuple[tuple[Any, Any, Any], ...]:
         """Return one row, of x at α = π and a turn of 0 that `beyond` replaces; none if the edge is at most π."""

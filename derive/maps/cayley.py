@@ -17,7 +17,7 @@ import sympy
 
 from ..algebra import Coefficient, Isotropic, Quaternion
 from ..algebra.arithmetic import Arithmetic
-from ..algebra.latex import latex
+from ..algebra.latex import bracketed, latex
 from . import closed_forms, polynomials
 from .cayley_scalars import CHAIN_POWER, HORNER_LIMIT, CayleyScalars
 from .chart import Map
@@ -56,7 +56,8 @@ class Cayley(BranchesOfOrder):
     Parameters
     ----------
     order : int
-        Integer n ≥ 1: TypeError for other types, ValueError below 1.
+        Integer n ≥ 1: TypeError for other types, ValueError below 1. In ``derive.Cayley``, also a symbol or expression
+        of SymPy: p and q are then sums, the maps are formulas in them, and ``subs(n, 7)`` is the map of one order.
     name, selection : optional
         Name of the module and command-line option, for a user's φ equal to tan(α/2n).
 
@@ -116,7 +117,7 @@ class Cayley(BranchesOfOrder):
     @cached_property
     def quaternion(self) -> QuaternionMap:
         """Unit dual quaternion, CP23 (50), (55)."""
-        root = (1 + x) ** sympy.Rational(self.order, 2)
+        root = (1 + x) ** (self.order * sympy.S.Half)
         return self._formula(QuaternionMap, "quaternion", self.p / root, self.q / root)
 
     @cached_property
@@ -140,7 +141,7 @@ class Cayley(BranchesOfOrder):
 
     def _formula(self, kind: type[Map], name: str, *coefficients: sympy.Expr) -> Map:
         printed = [_PRINTED[self.order] + list(EQUATIONS).index(name)] if self.order in _PRINTED else []
-        angles = ", ".join(map(str, self.singular_angles[:-1]))
+        angles = self._lost
         lost = f"Re alpha = {angles}" if angles else "no finite v"
         poles = name == "tangent_inv" and angles
         return kind(
@@ -155,10 +156,16 @@ class Cayley(BranchesOfOrder):
             definition=_definitions(self.order)[name],
         )
 
+    @property
+    def _lost(self) -> str:
+        """Angles below the edge where dcay_n loses rank, as text."""
+        return ", ".join(map(str, self.singular_angles[:-1]))
+
     # --- chart (see `Chart`) ----------------------------------------------------------------------------------
 
     @property
     def title(self) -> str:  # type: ignore[override]
+        """Headline, such as "Cayley map of order 3"."""
         return f"Cayley map of order {self.order}"
 
     @property
@@ -190,8 +197,8 @@ class Cayley(BranchesOfOrder):
         r = m.name("r", side * m.where(next_to, 1, t) / m.where(next_to, t, 1))
         return r, m.name("slope", m.div(1 + r * r, 2 * self.order))
 
-    def gain(self, q: Quaternion, size: Coefficient, m: Arithmetic, positive: bool = False) -> Coefficient:
-        return m.name("gain", cayley_gain(self.order, q, size, m, positive))
+    def gain(self, q: Quaternion, size: Coefficient, m: Arithmetic) -> Coefficient:
+        return m.name("gain", cayley_gain(self.order, q, size, m))
 
     def back(self, x: Coefficient, fi: Coefficient, m: Arithmetic) -> Pair:
         at = self.scalars(x, m)
@@ -235,23 +242,23 @@ class Cayley(BranchesOfOrder):
 
     def latex(self) -> str:
         """Return the polynomials and the four maps as LaTeX, in the notation of the paper."""
-        return self._aligned(*((f"{letter}_{{{self.order}}}", latex(value)) for letter, value in self.letters))
+        return self._aligned((f"{letter}_{{{latex(self.order)}}}", latex(value)) for letter, value in self.letters)
 
 
-def _definitions(n: int) -> dict[str, str]:
-    p, q, norm = f"p_{{{n}}}", f"q_{{{n}}}", _power(n)
+def _definitions(n: int | sympy.Expr) -> dict[str, str]:
+    p, q, norm, half = f"p_{{{latex(n)}}}", f"q_{{{latex(n)}}}", _power(n), sympy.Integer(1) * n / 2
     rotation = rf"\frac{{2 {p} {q}}}{{{norm}}}"
     return {
-        "quaternion": rf"\frac{{{p} + {q} v}}{{{_power(sympy.Rational(n, 2))}}}",
+        "quaternion": rf"\frac{{{p} + {q} v}}{{{_power(half)}}}",
         "tensor": rf"I + {rotation} \tilde{{v}} + \frac{{2 {q}^2}}{{{norm}}} \tilde{{v}}^2",
         "tangent": rf"{rotation} I + \frac{{2 {q}^2}}{{{norm}}} \tilde{{v}} + "
-        rf"\frac{{2 [{f'{n} {_power(n - 1)}'.rstrip()} - {p} {q}]}}{{x {norm}}} v \otimes v",
+        rf"\frac{{2 [{f'{bracketed(n)} {_power(n - 1)}'.rstrip()} - {p} {q}]}}{{x {norm}}} v \otimes v",
         "tangent_inv": rf"\frac{{{p}}}{{2 {q}}} I - \frac{{1}}{{2}} \tilde{{v}} + "
-        rf"\frac{{(1 + x) {q} - {f'{n} ' if n > 1 else ''}{p}}}{{{2 * n} x {q}}} v \otimes v",
+        rf"\frac{{(1 + x) {q} - {f'{bracketed(n)} ' if n != 1 else ''}{p}}}{{{bracketed(2 * n)} x {q}}} v \otimes v",
     }
 
 
-def _power(exponent: int | sympy.Rational) -> str:
+def _power(exponent: int | sympy.Expr) -> str:
     """LaTeX of a power of 1 + x."""
     if exponent == 0:
         return ""

@@ -15,23 +15,28 @@ of f(x) is ``fy y``, where ``fy = 2 f′``. A trailing y marks a slope, yy a sec
 
 from __future__ import annotations
 
+import inspect
 from abc import ABC, abstractmethod
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import fields
 from fractions import Fraction
 from functools import cached_property
+from types import FunctionType
 from typing import TYPE_CHECKING, Any, ClassVar, TypeAlias, TypeVar, cast
 
 import mpmath
 import sympy
+from sympy.core.traversal import bottom_up
 
 from ..algebra import Coefficient, Quaternion
 from ..algebra.arithmetic import PLAIN, Arithmetic
+from ..algebra.latex import latex
 from ..output.typeset import Typeset
 from .angle_of_length import angle_of
 from .families import alpha, of_angle
 from .formula import Formula, IsotropicMap, QuaternionMap
 from .polynomials import Pair, Triple, x
+from .real_constants import number, plus, times
 
 if TYPE_CHECKING:
     from .cayley import Cayley
@@ -45,6 +50,16 @@ DEFINITIONS = {
     "tangent_inv": r"T^{-1} = \tfrac12 (f_i\,I - \tilde v + h_i\,v \otimes v) \qquad f_i = \frac{f}{g}",
 }
 """LaTeX of the maps of every chart in terms of its scalars."""
+
+LETTERS = (
+    (r"\alpha", r"\text{dual angle}"),
+    ("u", r"\text{unit dual vector of the screw axis}"),
+    ("v", r"\varphi(\alpha)\,u"),
+    ("x", r"v \cdot v"),
+    (r"\tilde v\,a", r"v \times a \text{ for every vector } a"),
+    ("I\\,a", "a"),
+)
+"""LaTeX of the letters of every chart."""
 
 IDENTITIES = {
     "quaternion": ("|q|^2 = 1",),
@@ -71,6 +86,13 @@ class Chart(Typeset, ABC):
     vector: ClassVar[str] = "dual vector"  # name of v in the field
     base: Chart | None = None  # chart of the vector w, with v = factor · w
     factor: Fraction = Fraction(1)  # factor of the base chart; 1 without one
+
+    def __init_subclass__(cls, **keywords: Any) -> None:
+        """Give members that override documented ones their docstrings."""
+        super().__init_subclass__(**keywords)
+        for name, member in vars(cls).items():
+            if isinstance(member, FunctionType | property | cached_property) and member.__doc__ is None:
+                member.__doc__ = inspect.getdoc(getattr(super(cls, cls), name, None))
 
     def __getstate__(self) -> dict[str, Any]:
         """Return the fields, without cached results."""
@@ -107,6 +129,11 @@ class Chart(Typeset, ABC):
         return 0.0
 
     @property
+    def steep(self) -> tuple[Any, ...]:
+        """Angles below the edge, as mpmath numbers, near which the inverse of φ is hardest to find; often none."""
+        return ()
+
+    @property
     def letters(self) -> Sequence[tuple[str, sympy.Expr]]:
         """Letters in the formulas and the functions of x for which they stand, such as p_n and q_n."""
         return ()
@@ -120,6 +147,9 @@ class Chart(Typeset, ABC):
     def parameter(self) -> str:
         """Text of φ(α), such as ``tan(α/6)``."""
         return str(self.phi).replace("alpha", "α").replace("**", "^").replace("*", " ")
+
+    def require_kernels(self) -> None:
+        """Raise `PhiError` if kernels cannot compute the chart."""
 
     # --- scalars and inverse maps ---------------------------------------------------------------------------------
 
@@ -144,8 +174,20 @@ class Chart(Typeset, ABC):
         return self.coefficient(angle, m)
 
     @abstractmethod
-    def gain(self, q: Quaternion, size: Coefficient, m: Arithmetic, positive: bool = False) -> Coefficient:
-        """Return the factor in ``v = gain · vec q`` for norm `size`; `positive` asserts a positive scalar part."""
+    def gain(self, q: Quaternion, size: Coefficient, m: Arithmetic) -> Coefficient:
+        """Return the factor in ``v = gain · vec q`` for a quaternion of norm `size`.
+
+        The sign is that of the scalar part of q. It is 1 if the scalar part is 0 up to rounding, at half a turn: the
+        side of the given vector part stands. The vector ends at the edge, despite rounding.
+        """
+
+    def inside(self, x: Coefficient, m: Arithmetic) -> Coefficient:
+        """Return 1, or a smaller factor for a vector of square x that is beyond the edge by rounding."""
+        if self.range.is_infinite:
+            return 1
+        over = m.name("over", plus(x, number(-(self.range**2)), m, "overx"))
+        back = m.div(1, 1 + 4 * times(number(1 / self.range**2), over, m, "share"))
+        return m.name("shrunk", m.where(m.less(over, 0), 1, back))
 
     @abstractmethod
     def back(self, x: Coefficient, fi: Coefficient, m: Arithmetic) -> Pair:
@@ -178,14 +220,14 @@ class Chart(Typeset, ABC):
 
     @abstractmethod
     def turned(self, r: Coefficient, turn: Sequence[Coefficient], m: Arithmetic) -> Triple:
-        """Return r_k of the vector one `turn` away from ``v = r u``, and its first and second derivatives by r.
-
-        For a principal v the caller passes ``r = sqrt(1 + x)`` and ignores the results, which must be numbers.
-        """
+        """Return r_k of the vector one `turn` away from ``v = r u``, and its first and second derivatives by r."""
 
     @abstractmethod
-    def beyond(self, x: Coefficient, table: Sequence[Coefficient], m: Arithmetic) -> tuple[Any, Pair]:
-        """Return whether v lies beyond the principal branch, and the turn back, from the table `returns`."""
+    def beyond(self, x: Coefficient, table: Sequence[Coefficient], m: Arithmetic) -> tuple[Any, Coefficient, Pair]:
+        """Return whether v lies beyond the principal branch, then x or an unused number, and the turn back.
+
+        Limits and turns come from the table `returns`. The unused number is near x at half a turn.
+        """
 
     @abstractmethod
     def turn(self, branch: int) -> tuple[Any, Any]:
@@ -208,7 +250,19 @@ class Chart(Typeset, ABC):
     @property
     def range(self) -> sympy.Expr:
         """Length |v| at the edge; infinite at a pole."""
-        return self.phi.subs(alpha, self.edge)
+        end = self.phi.subs(alpha, self.edge)
+        return end if end.evalf().is_finite else sympy.oo
+
+    @property
+    def angle(self) -> sympy.Expr:
+        """Angle φ⁻¹(|v|), as a function of x, up to the edge."""
+        found: sympy.Expr = self.unfolded(x, sympy.sqrt(x), PLAIN)
+        return found.replace(sympy.atan2, lambda sine, cosine: sympy.atan(sine / cosine))  # the cosine is positive
+
+    @property
+    def ends(self) -> bool:
+        """Tell whether vectors longer than `range` have no pose."""
+        return not self.range.is_infinite
 
     @property
     def limits(self) -> tuple[tuple[sympy.Expr, ...], tuple[sympy.Expr, ...]]:
@@ -226,30 +280,38 @@ class Chart(Typeset, ABC):
 
     @cached_property
     def quaternion(self) -> QuaternionMap:
+        """Unit dual quaternion ``s + w v``, scalar first; defined up to the edge."""
         return self._formula(QuaternionMap, "quaternion", self._values.s, self._values.w)
 
     @cached_property
     def tensor(self) -> IsotropicMap:
+        """Orthogonal dual tensor R, which takes body to space; defined up to the edge."""
         at = self._values
         return self._formula(IsotropicMap, "tensor", 1 - at.x * at.g, at.f, at.g)
 
     @cached_property
     def tangent(self) -> IsotropicMap:
+        """Tangent operator T, which takes v̇ to the space twist; it loses rank at whole turns."""
         at = self._values
         return self._formula(IsotropicMap, "tangent", at.f, at.g, at.h)
 
     @cached_property
     def tangent_inv(self) -> IsotropicMap:
+        """Inverse tangent operator T⁻¹, which takes the space twist to v̇; whole turns are its poles."""
         at = self._values
         return self._formula(IsotropicMap, "tangent_inv", at.fi / 2, -sympy.Rational(1, 2), at.hi / 2)
 
     def latex(self) -> str:
-        """Return φ and the four maps as LaTeX."""
-        return self._aligned((r"\varphi", sympy.latex(self.phi)))
+        """Return φ, the scalars and the four maps as LaTeX, with every letter defined."""
+        s, w = self.quaternion.coefficients
+        (fi, _, hi), tangent = self.tangent_inv.coefficients, self.tangent.coefficients
+        scalars = zip(("s", "w", "f", "g", "h", "f_i", "h_i"), (s, w, *tangent, 2 * fi, 2 * hi), strict=True)
+        return self._aligned((letter, latex(value)) for letter, value in scalars)
 
-    def _aligned(self, *first: tuple[str, str]) -> str:
-        """Return equations in LaTeX, with the four maps last."""
+    def _aligned(self, letters: Iterable[tuple[str, str]]) -> str:
+        """Return equations in LaTeX: the letters of every chart, further letters, then the four maps."""
         maps = (self.quaternion, self.tensor, self.tangent, self.tangent_inv)
+        first = ((r"\varphi(\alpha)", latex(self.phi)), *LETTERS, *letters)
         equations = (*first, *((of.symbol, of.definition) for of in maps))
         lines = " \\\\\n".join(f"{left} &= {right}" for left, right in equations)
         return f"\\begin{{aligned}}\n{lines}\n\\end{{aligned}}"
@@ -275,11 +337,25 @@ class Chart(Typeset, ABC):
         return kind(
             name=name,
             order=self.order,
-            coefficients=tuple(map(sympy.factor, coefficients)) if self.algebraic else coefficients,
+            coefficients=tuple(map(factored, coefficients)) if self.algebraic else coefficients,
             equations=(),
             identities=IDENTITIES[name],
             domain=f"{domain} off the poles" if lost and name == "tangent_inv" else domain,
             singular=f"{lost} {', '.join(poles)}; {end}" if lost else end,
             symbol=symbol,
             definition=definition,
+            **{} if self.algebraic else {"angle": self.angle, "at_zero": self._at_zero[name]},
         )
+
+    @property
+    def _at_zero(self) -> dict[str, tuple[sympy.Expr, ...]]:
+        """Coefficients of the maps at α = 0, by name."""
+        tangent, tangent_inv = self.limits
+        f, g, _ = tangent
+        of_tensors = {"tensor": (sympy.Integer(1), f, g), "tangent": tangent, "tangent_inv": tangent_inv}
+        return {"quaternion": (sympy.Integer(1), f / 2), **of_tensors}
+
+
+def factored(expression: sympy.Expr) -> sympy.Expr:
+    """Return the factors of an expression, with products that SymPy keeps when it rebuilds them, as copies do."""
+    return bottom_up(sympy.factor(expression), lambda e: e.func(*e.args) if e.args else e)

@@ -13,7 +13,7 @@ import sympy
 from ..algebra import Coefficient, functions, real_part
 from .pose import is_zero
 
-FUNCTIONS = ("sin", "cos", "asin", "acos", "atan", "sinh", "cosh", "tanh", "exp", "log")
+FUNCTIONS = ("sin", "cos", "asin", "acos", "atan", "sinh", "cosh", "tanh", "asinh", "atanh", "exp", "log")
 """Functions that a library may provide in addition to sqrt."""
 
 QUOTIENTS = {sympy.tan: (sympy.sin, sympy.cos), sympy.cot: (sympy.cos, sympy.sin)}
@@ -28,9 +28,9 @@ Step: TypeAlias = Callable[[Sequence[Coefficient], Coefficient, Any], Coefficien
 def evaluate(expression: sympy.Expr, symbol: sympy.Symbol, value: Coefficient, library: Any = functions) -> Coefficient:
     """Return the value of an elementary expression in one symbol; each part is computed once.
 
-    `library` provides ``sin``, ``cos``, ``sqrt`` for the numbers, and ``exp``, ``log`` for rational exponents with
-    denominators above 2. Division by zero raises ZeroDivisionError for every number type. A part that is not
-    elementary, or contains another symbol, raises ValueError.
+    `library` provides ``sin``, ``cos``, ``sqrt`` for the numbers, ``exp``, ``log`` for rational exponents with
+    denominators above 2, and perhaps ``constant`` for numbers such as π. Division by zero raises ZeroDivisionError for
+    every number type. A part that is not elementary, or contains another symbol, raises ValueError.
     """
     known: list[Coefficient] = []
     for step in _steps(expression, symbol):
@@ -71,7 +71,7 @@ class _Reader:
             p, q = int(e.p), int(e.q)
             return lambda known, value, library: over(value * 0 + p, q)
         if not e.free_symbols:
-            return lambda known, value, library: value * 0 + mpmath.mpf(e.evalf(mpmath.mp.dps + 5))
+            return lambda known, value, library: value * 0 + getattr(library, "constant", _constant)(e)
         return self._power(e) if e.is_Pow else self._function(e)
 
     def _product(self, numerator: sympy.Expr, denominator: sympy.Expr) -> Step:
@@ -104,6 +104,10 @@ class _Reader:
             return lambda known, value, library: over(known[above], known[below])
         name, at = e.func.__name__, self.place(argument)
         return lambda known, value, library: getattr(library, name)(known[at])
+
+
+def _constant(e: sympy.Expr) -> Any:
+    return mpmath.mpf(e.evalf(mpmath.mp.dps + 5))
 
 
 def over(a: Coefficient, b: Coefficient) -> Coefficient:

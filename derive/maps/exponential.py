@@ -58,7 +58,7 @@ class ExponentialScalars(DependentScalars):
     ratey = 0
     rateyy = 0
 
-    _near = scalar(lambda at: at.m.less(at.x, stumpff.LIMIT), "near")
+    _near = scalar(lambda at: at.m.less(at.x, stumpff.LIMIT), "nearby")
 
     @cached_property
     def _near_zero(self) -> stumpff.Stumpff:

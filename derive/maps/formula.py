@@ -2,25 +2,27 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
-from typing import ClassVar
+from typing import Any, ClassVar
 
+import mpmath
 import sympy
 
-from ..algebra import Dual, Isotropic, Quaternion, Tensor, Vector
+from ..algebra import Dual, Isotropic, Quaternion, Structure, Tensor, Vector
 from ..algebra.isotropic import BASIS
 from ..algebra.latex import combination
 from ..output.typeset import Typeset
+from .families import alpha
 from .polynomials import x
 
 
 @dataclass(frozen=True, slots=True)
 class Formula(Typeset):
-    """Map of order n whose coefficients are functions of ``x = v · v``, exact and reduced."""
+    """Map of order n with exact coefficients: functions of ``x = v · v``, or of α with `angle` as function of x."""
 
     name: str  # quaternion, tensor, tangent or tangent_inv
-    order: int
+    order: int | sympy.Expr
     coefficients: tuple[sympy.Expr, ...]
     equations: tuple[int, ...]  # numbers in CP23: the general equations, then the one for this order, if printed
     identities: tuple[str, ...] = field(repr=False)
@@ -28,6 +30,8 @@ class Formula(Typeset):
     singular: str = field(repr=False)  # text on the singular set of the map or its inverse
     symbol: str = field(repr=False)  # LaTeX of the left-hand side
     definition: str = field(repr=False)  # LaTeX of the right-hand side in p_n, q_n
+    angle: sympy.Expr = field(default=alpha, repr=False)  # α as a function of x
+    at_zero: tuple[sympy.Expr, ...] = field(default=(), repr=False)  # coefficients at α = 0 if they are 0/0
 
     basis: ClassVar[tuple[str, ...]] = ()
     """LaTeX of the basis that the coefficients multiply."""
@@ -41,7 +45,8 @@ class Formula(Typeset):
         >>> print(derive.Cayley(1).tangent_inv.latex().rpartition("= ")[2])
         \frac{1}{2} I - \frac{1}{2} \tilde{v} + \frac{1}{2} v \otimes v
         """
-        return f"{self.symbol} = {self.definition} = {self.explicit}"
+        definition, *letters = self.definition.split(r" \qquad ")
+        return r" \qquad ".join((f"{self.symbol} = {definition} = {self.explicit}", *letters))
 
     @property
     def explicit(self) -> str:
@@ -51,15 +56,79 @@ class Formula(Typeset):
     def _typeset(self) -> str:
         return self.latex()
 
-    def _expand(self, v: Sequence[sympy.Expr]) -> tuple[tuple[Dual, ...], Vector]:
-        """Return the coefficients ``f(x) + ε x° f′(x)`` at the dual vector `v`, and the vector itself."""
-        if len(v) != 6:
-            raise ValueError(f"expected 6 symbols, real part v1 v2 v3 then dual part, got {len(v)}")
-        vector = Vector.dual(v[:3], v[3:])
-        square = vector.dot(vector)
-        at = {x: square.re}
-        duals = (Dual(a.xreplace(at), square.du * a.diff(x).xreplace(at)) for a in self.coefficients)
-        return tuple(duals), vector
+    def matrix(self, v: Sequence[Any]) -> Any:
+        """Return the real and the dual part of the map at v, as functions of its components.
+
+        Components are symbols, expressions or numbers. Floats are exact numbers here, and results are rounded once.
+        Formulas in α contain ``α = φ⁻¹(|v|)`` as a function that SymPy differentiates. They are 0/0 at symbols that
+        become 0 later.
+
+        Parameters
+        ----------
+        v : sequence of 6 or 3 components
+            Dual vector, real part first; or a real vector, for rotations alone.
+
+        Returns
+        -------
+        tuple of two Matrix, or Matrix
+            Real and dual part for 6 components, the real part for 3: 3x3 matrices, or 4x1 columns of a quaternion,
+            scalar first. Floats beyond the edge of the chart give entries that are not real: NaN or complex.
+
+        Raises
+        ------
+        ValueError
+            If v has another number of components, or one of them is no number or expression.
+
+        Examples
+        --------
+        >>> import derive, sympy
+        >>> t, s = sympy.symbols("t s")
+        >>> re, du = derive.Cayley(2).tensor.matrix([0, 0, t, 0, 0, s])  # about and along the third axis
+        >>> sympy.factor(re[1, 0])
+        -4*t*(t - 1)*(t + 1)/(t**2 + 1)**2
+        >>> derive.family("exponential").quaternion.matrix([0, 0, sympy.pi / 2]).T
+        Matrix([[sqrt(2)/2, 0, 0, sqrt(2)/2]])
+        """
+        given, digits, working = _prepared(v)
+        vector = Vector.dual(given[:3], given[3:] or (0, 0, 0))
+        value = self._at(vector, tuple(self._at_vector(vector)))
+        columns = (sympy.Matrix([*part]) for part in (value.re, value.du))
+        re, du = (part.reshape(len(part) // value.columns, value.columns) for part in columns)
+        if digits:
+            re, du = re.evalf(working).evalf(digits), du.evalf(working).evalf(digits)
+        return (re, du) if len(given) == 6 else re
+
+    def _at_vector(self, v: Vector) -> Iterator[Dual]:
+        """Yield the coefficients ``f(x) + ε x° f′(x)`` at a dual vector."""
+        square = v.dot(v)
+        if self.at_zero and all(c.re == 0 for c in v):  # x° is 0 too
+            yield from (Dual(c, 0) for c in self.at_zero)
+            return
+        for coefficient in self.coefficients:
+            value = coefficient.xreplace({alpha: self.angle})
+            yield Dual(value.xreplace({x: square.re}), square.du * value.diff(x).xreplace({x: square.re}))
+
+    def _at(self, v: Vector, coefficients: tuple[Dual, ...]) -> Structure:
+        """Return the value at a vector, from the coefficients there."""
+        raise NotImplementedError
+
+
+def _prepared(v: Sequence[Any]) -> tuple[list[sympy.Expr], int, int]:
+    """Return components as expressions, and digits of results and of work; 0 digits if there is a symbol or no float.
+
+    With floats, all numbers get the working digits. At a small α up to five times its digits cancel, in the slope of h;
+    near an edge, twice the digits of a float.
+    """
+    if len(v) not in (3, 6):
+        raise ValueError(f"expected 6 components, real part v1 v2 v3 then dual part, or 3 for a rotation, got {len(v)}")
+    given = [sympy.sympify(c, strict=True) for c in v]
+    floats = [c for c in given if c.is_Float]
+    if not floats or not all(c.is_number for c in given):
+        return given, 0, 0
+    digits = min(mpmath.libmp.prec_to_dps(c._prec) for c in floats)
+    spread = max((abs(mpmath.log10(abs(mpmath.mpf(c)))) for c in floats if c), default=0)
+    working = 4 * digits + 5 * int(spread)
+    return [c.evalf(working) for c in given], digits, working
 
 
 class IsotropicMap(Formula):
@@ -75,20 +144,9 @@ class IsotropicMap(Formula):
         a, b, c = self.coefficients
         return Isotropic(a, b, c, x)
 
-    def matrix(self, v: Sequence[sympy.Expr]) -> tuple[sympy.Matrix, sympy.Matrix]:
-        """Return the real and the dual part as 3x3 matrices, for the 6 components of v, real part first.
-
-        Examples
-        --------
-        >>> import derive, sympy
-        >>> t, s = sympy.symbols("t s")
-        >>> re, du = derive.Cayley(2).tensor.matrix([0, 0, t, 0, 0, s])  # about and along the third axis
-        >>> sympy.factor(re[1, 0])
-        -4*t*(t - 1)*(t + 1)/(t**2 + 1)**2
-        """
-        (a, b, c), vector = self._expand(v)
-        entries: Tensor = Isotropic(a, b, c, vector.dot(vector)).tensor(vector)
-        return sympy.Matrix(3, 3, list(entries.re)), sympy.Matrix(3, 3, list(entries.du))
+    def _at(self, v: Vector, coefficients: tuple[Dual, ...]) -> Tensor:
+        a, b, c = coefficients
+        return Isotropic(a, b, c, v.dot(v)).tensor(v)
 
 
 class QuaternionMap(Formula):
@@ -98,17 +156,6 @@ class QuaternionMap(Formula):
 
     basis = ("", "v")
 
-    def matrix(self, v: Sequence[sympy.Expr]) -> tuple[sympy.Matrix, sympy.Matrix]:
-        """Return the real and the dual part as columns, scalar first, for the 6 components of v, real part first.
-
-        Examples
-        --------
-        >>> import derive, sympy
-        >>> t = sympy.Symbol("t")
-        >>> re, du = derive.Cayley(2).quaternion.matrix([0, 0, t, 0, 0, 0])
-        >>> re.T
-        Matrix([[(1 - t**2)/(t**2 + 1), 0, 0, 2*t/(t**2 + 1)]])
-        """
-        (s, t), vector = self._expand(v)
-        components = Quaternion(s, vector * t)
-        return sympy.Matrix(list(components.re)), sympy.Matrix(list(components.du))
+    def _at(self, v: Vector, coefficients: tuple[Dual, ...]) -> Quaternion:
+        s, t = coefficients
+        return Quaternion(s, v * t)

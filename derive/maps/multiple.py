@@ -35,6 +35,7 @@ POWERS = {
 
 FURTHER_POWERS = {
     "x": -2, "y": -2, "v11": -2, "v22": -2, "v33": -2, "r": -1, "fe": -1, "b": 1, "gain": -1, "rk": -1,
+    "place": -2,
 }  # fmt: skip
 """Powers of K that divide other numbers of the base chart; angles, turns and quaternions have none."""
 
@@ -81,11 +82,11 @@ class Multiple(Chart):
     selection: tuple[str, str] = ("", "")
     title: str = ""
 
-    order = property(attrgetter("base.order"))
-    edge = property(attrgetter("base.edge"))
-    branches = property(attrgetter("base.branches"))
-    singular_angles = property(attrgetter("base.singular_angles"))
-    remainder = property(attrgetter("base.remainder"))
+    order = property(attrgetter("base.order"), doc="Order of the base chart.")
+    edge = property(attrgetter("base.edge"), doc="Edge of the base chart.")
+    branches = property(attrgetter("base.branches"), doc="Period of the branches of the base chart.")
+    singular_angles = property(attrgetter("base.singular_angles"), doc="Singular angles of the base chart.")
+    remainder = property(attrgetter("base.remainder"), doc="Approximation error of the base chart.")
 
     @property
     def phi(self) -> sympy.Expr:
@@ -114,6 +115,10 @@ class Multiple(Chart):
             x=x, **{k: v.xreplace({x: x / factor**2}) / factor ** POWERS[k] for k, v in found.items()}
         )
 
+    @property
+    def angle(self) -> sympy.Expr:
+        return self.base.angle.xreplace({x: x / sympy.Rational(self.factor) ** 2})
+
     # --- scalars and inverse maps ---------------------------------------------------------------------------------
 
     def scalars(self, x: Coefficient, m: Arithmetic) -> MultipleScalars:
@@ -129,8 +134,8 @@ class Multiple(Chart):
         r, slope = pair
         return self._times(r, m, "r_v"), self._times(slope, m, "slope_v")
 
-    def gain(self, q: Quaternion, size: Coefficient, m: Arithmetic, positive: bool = False) -> Coefficient:
-        return self._times(self.base.gain(q, size, m, positive), m, "gain_v")
+    def gain(self, q: Quaternion, size: Coefficient, m: Arithmetic) -> Coefficient:
+        return self._times(self.base.gain(q, size, m), m, "gain_v")
 
     def back(self, x: Coefficient, fi: Coefficient, m: Arithmetic) -> Pair:
         f, h = self.base.back(self._square(x, m), m.name("fi_w", divided(fi, self.factor, m)), m)
@@ -151,8 +156,9 @@ class Multiple(Chart):
         rk, slope, bend = self.base.turned(self._length(r, m), turn, m)
         return self._times(rk, m, "rk_v"), slope, m.name("bend_v", divided(bend, self.factor, m))
 
-    def beyond(self, x: Coefficient, table: Sequence[Coefficient], m: Arithmetic) -> tuple[Any, Pair]:
-        return self.base.beyond(self._square(x, m), table, m)
+    def beyond(self, x: Coefficient, table: Sequence[Coefficient], m: Arithmetic) -> tuple[Any, Coefficient, Pair]:
+        selected, place, turn = self.base.beyond(self._square(x, m), table, m)
+        return selected, m.name("place_v", divided(place, self.factor, m, -2)), turn
 
     def turn(self, branch: int) -> tuple[Any, Any]:
         return self.base.turn(branch)

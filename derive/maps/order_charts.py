@@ -16,7 +16,7 @@ from . import polynomials
 from .chart import Chart
 from .families import alpha
 from .polynomials import Pair, Triple
-from .scalars import NOISE, QuaternionChart
+from .scalars import NOISE, NOISE_GIVEN, QuaternionChart
 
 Derivatives: TypeAlias = Triple
 """Value with its first and second derivatives."""
@@ -32,17 +32,21 @@ def by_length(before: Derivatives, after: Derivatives, m: Arithmetic) -> Derivat
     return m.name("rk", rk), ratio, m.name("bend", m.div(change, slope))
 
 
-def beyond(x: Coefficient, table: Sequence[Coefficient], m: Arithmetic) -> tuple[Any, Pair]:
-    """Return whether x lies beyond the first limit of the table, and the turn of the last limit that x exceeds."""
+def beyond(x: Coefficient, table: Sequence[Coefficient], m: Arithmetic) -> tuple[Any, Coefficient, Pair]:
+    """Return whether x lies beyond the first limit of the table, x or a number, and the turn of the last limit passed.
+
+    The number that replaces an x within the limit is near the limit, where φ is regular.
+    """
     first, *others = table[::3]
     # v at half a turn counts as principal despite rounding
-    limits = [m.name("beyond1", m.less(first, first + m.div(x - first, NOISE)))]
+    beside = m.name("beside1", first + m.div(x - first, NOISE))
+    limits = [m.name("beyond1", m.less(first, beside))]
     limits += [m.name(f"beyond{j}", m.less(limit, x)) for j, limit in enumerate(others, 2)]
     cosine, sine = table[1:3]
     for j, (further, *values) in enumerate(zip(limits[1:], table[4::3], table[5::3], strict=True), 2):
         cosine = m.name(f"cosine{j}", m.where(further, values[0], cosine))
         sine = m.name(f"sine{j}", m.where(further, values[1], sine))
-    return limits[0], (cosine, sine)
+    return limits[0], m.name("place", m.where(limits[0], x, beside)), (cosine, sine)
 
 
 def turn(n: int, branch: int) -> tuple[Any, Any]:
@@ -59,29 +63,35 @@ def square(phi: sympy.Expr, angle: sympy.Expr) -> Any:
 # --- gain of a quaternion ----------------------------------------------------------------------------------------
 
 
-def cayley_gain(n: int, q: Quaternion, size: Coefficient, m: Arithmetic, positive: bool = False) -> Coefficient:
+def cayley_gain(n: int, q: Quaternion, size: Coefficient, m: Arithmetic) -> Coefficient:
     """Return ``tan(α/2n)/|vec q|`` with the sign of the scalar part, for a quaternion of norm `size`.
 
-    Only n = 2, 4, 8, … need `size`. The gain is infinite at α = nπ: for n = 1 at half a turn.
+    The gain is infinite at α = nπ: for n = 1 at half a turn.
     """
     if n == 1:
         return m.div(1, q.scalar)
-    negative, cosine = half_cosine(q, m, positive)
-    sign = m.where(negative, -1, 1)
+    sign, cosine = half_cosine(q, size, m)
     if has_ladder(n):
         return m.div(sign, _ladder(n, cosine, size, m))
     still, square, sine = half_sine(q, cosine, m)
-    if not (positive or isinstance(size, int)):  # NaN instead of 1/∞ = 0 where the square overflows
-        sine = m.name("sinq", square / sine)
+    sine = m.name("sinq", square / sine)  # NaN instead of 1/∞ = 0 where the square overflows
     tangent = m.tan(m.div(m.atan2(sine, cosine), n))
     return sign * (m.where(still, 1, tangent) / m.where(still, n * cosine, sine))
 
 
-def half_cosine(q: Quaternion, m: Arithmetic, positive: bool) -> tuple[Any, Coefficient]:
-    """Return whether the scalar part is negative, and its absolute value."""
-    negative = False if positive else m.name("negative", m.less(q.scalar, 0))
-    cosine = m.name("cos", m.where(negative, -q.scalar, q.scalar))
-    return negative, cosine
+def half_cosine(q: Quaternion, size: Coefficient, m: Arithmetic) -> Pair:
+    """Return the sign of the scalar part, and their product; the sign is 1 if the part is noise, at half a turn."""
+    negative = m.less(size + m.div(q.scalar, NOISE_GIVEN), size)
+    sign = m.name("sign", m.where(negative, -1, 1))
+    return sign, m.name("cos", sign * q.scalar)
+
+
+def kept_inside(chart: Chart, gain: Coefficient, q: Quaternion, m: Arithmetic) -> Coefficient:
+    """Return a gain with which v is not beyond an edge at half a turn, where the angle of a quaternion ends."""
+    if chart.edge > sympy.pi:
+        return gain
+    v = gain * q.vector
+    return m.name("kept", gain * chart.inside(m.name("x", v.dot(v)), m))
 
 
 def half_sine(q: Quaternion, cosine: Coefficient, m: Arithmetic) -> tuple[Any, Coefficient, Coefficient]:
@@ -149,7 +159,7 @@ class BranchesOfOrder(Chart):
         """Angles Re α = 2πk > 0 where T loses rank, then the edge nπ, where v or T is infinite."""
         return polynomials.singular_angles(self.order)
 
-    def beyond(self, x: Coefficient, table: Sequence[Coefficient], m: Arithmetic) -> tuple[Any, Pair]:
+    def beyond(self, x: Coefficient, table: Sequence[Coefficient], m: Arithmetic) -> tuple[Any, Coefficient, Pair]:
         return beyond(x, table, m)
 
     def turn(self, branch: int) -> tuple[Any, Any]:
@@ -191,13 +201,12 @@ class OrderChart(BranchesOfOrder, QuaternionChart):
 
     # --- inverse map ------------------------------------------------------------------------------------------------
 
-    def gain(self, q: Quaternion, size: Coefficient, m: Arithmetic, positive: bool = False) -> Coefficient:
+    def gain(self, q: Quaternion, size: Coefficient, m: Arithmetic) -> Coefficient:
         """Return ``φ/sin(α/2)``, by half-angle formulas where n is a power of two."""
-        negative, cosine = half_cosine(q, m, positive)
-        sign = m.where(negative, -1, 1)
+        sign, cosine = half_cosine(q, size, m)
         found = self._by_halves if has_ladder(self.order) else self._by_angle
         above, below = found(q, cosine, size, m)
-        return m.name("gain", m.div(sign * above, below))
+        return kept_inside(self, m.name("gain", m.div(sign * above, below)), q, m)
 
     def _by_halves(self, q: Quaternion, cosine: Coefficient, size: Coefficient, m: Arithmetic) -> Pair:
         below = size

@@ -74,6 +74,12 @@ class Polynomial:
         return not any(any(level[1:]) for level in self.levels) and any(any(level) for level in self.levels[1:])
 
     @property
+    def coefficients(self) -> list[Any]:
+        """Coefficients of the powers of t."""
+        parts = [mpmath.ldexp(1, -self.shift - BITS * place) for place in range(len(self.levels))]
+        return [mpmath.fdot(digits, parts) for digits in zip(*self.levels, strict=True)]
+
+    @property
     def rounding(self) -> Any:
         """Bound of the error of splitting the coefficients, for |t| ≤ 1."""
         return len(self.levels[0]) * mpmath.mpf(2) ** (-self.shift - BITS * (len(self.levels) - 1) - 1)

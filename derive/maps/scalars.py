@@ -23,12 +23,15 @@ from ..algebra.arithmetic import Arithmetic
 from .chart import Chart
 from .polynomials import Pair, Triple
 
-NOISE = 16
+NOISE = 64
 """Divisor in the test for rounding noise: a term is noise if ``sum + term/NOISE`` equals the sum.
 
-Noise is below 8 eps of the sum. At half a turn, errors are up to 4 eps of the length for v, 4π eps for α, and 2π eps
-for ``cot(α/2)``.
+Noise is below 16 to 32 eps of the sum. At half a turn, errors are up to 4 eps of the length for v, 4π eps for α, and
+2π eps for ``cot(α/2)``.
 """
+
+NOISE_GIVEN = NOISE // 4
+"""Divisor for noise in given quaternions and matrices: a side that inverse maps take is one that v keeps."""
 
 
 class scalar:

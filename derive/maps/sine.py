@@ -22,7 +22,7 @@ from ..algebra import Coefficient
 from ..algebra.arithmetic import Arithmetic
 from .families import alpha
 from .order_charts import Derivatives, OrderChart, double_angle
-from .polynomials import RING, RING_X, Pair, horner, ring_pair
+from .polynomials import RING, RING_X, Pair, horner, ring_pair, x
 from .scalars import DependentScalars, scalar
 
 
@@ -134,6 +134,10 @@ class Sine(OrderChart):
     def phi(self) -> sympy.Expr:
         return sympy.sin(alpha / (2 * self.order))
 
+    @property
+    def angle(self) -> sympy.Expr:
+        return 2 * self.order * sympy.asin(sympy.sqrt(x))
+
     def overflow(self, largest: float) -> tuple[str, float]:
         return "v ends, at Re|v| = 1", 1.0
 
@@ -148,8 +152,7 @@ class Sine(OrderChart):
         return sine, cosine, -sine
 
     def cosine(self, x: Coefficient, m: Arithmetic) -> Pair:
-        """Return cos θ and 1; beyond the edge the cosine is an unused number."""
-        return m.name("c", m.sqrt(m.where(m.less(x, 1), 1 - x, x))), 1
+        return m.name("c", m.sqrt(1 - x)), 1
 
     def over_sine(self, cosine: Coefficient, m: Arithmetic) -> Pair:
         return 1, 1

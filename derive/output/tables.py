@@ -51,7 +51,7 @@ class Grid(NamedTuple):
     def _table(self) -> Table:
         table = Table(title=self.title, title_justify="left", show_lines=self.ruled)
         for heading, number, width, ratio in self.columns:
-            table.add_column(heading, justify="right" if number else "left", width=width, ratio=ratio)
+            table.add_column(heading, justify="right" if number else "left", width=width, ratio=ratio, overflow="fold")
         for row in self.rows:
             table.add_row(*row)
         return table

@@ -1,1 +1,1 @@
-"""Pages that commands write: theorems with their controls, the formula sheet, parameterizations side by side."""
+"""Pages that commands write: theorems with controls, the formula sheet, formulas in use, charts side by side."""

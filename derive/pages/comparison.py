@@ -16,9 +16,9 @@ from ..codegen import catalogue
 from ..codegen.lowered import lower_chart
 from ..maps import PhiError
 from ..maps.chart import Chart
-from ..maps.families import alpha
 from ..output.listing import Listing
 from ..output.progress import Step, bar
+from .measuring import measure
 from .stretch import Stretch, stretch
 
 ANGLES = {"π/2": math.pi / 2, "π": math.pi, "3π/2": 3 * math.pi / 2}
@@ -50,7 +50,7 @@ class Compared:
     @property
     def range(self) -> float:
         """Value of |v| at the edge of the chart."""
-        return as_float(self.chart.phi.subs(alpha, self.chart.edge))
+        return as_float(self.chart.range)
 
     @cached_property
     def stretches(self) -> dict[str, Stretch | None]:
@@ -58,20 +58,30 @@ class Compared:
         return {name: stretch(self.chart.phi, a) if a < self.edge else None for name, a in ANGLES.items()}
 
     @cached_property
+    def refusal(self) -> str:
+        """Reason for which kernels cannot compute the chart; empty if they can."""
+        try:
+            self.chart.require_kernels()
+        except PhiError as error:
+            return str(error)
+        return ""
+
+    @cached_property
     def operations(self) -> dict[str, int | None]:
         """Number of operations by function; None for a φ that kernels cannot compute."""
-        try:
-            found = lower_chart(self.chart).operations
-        except PhiError:
+        if self.refusal:
             return dict.fromkeys(COUNTED)
+        found = lower_chart(self.chart).operations
         return {name: found[name].total() for name in COUNTED}
 
     @cached_property
     def measured(self) -> Mapping[str, Any] | None:
         """Measured ``errors`` by function and angle, and ``nanoseconds`` by function and number of poses, if known.
 
-        The command ``python -m benchmarks.charts`` writes these measurements in a checkout.
+        The command ``python -m benchmarks.charts`` writes those of the catalogue in a checkout; a φ is measured here.
         """
+        if self.chart.selection[0] == "--phi":
+            return None if self.refusal else measure(self.chart, ANGLES, MEASURED, TIMED)
         root = about.checkout()
         return json.loads((root / MEASUREMENTS).read_text(encoding="utf-8")).get(self.chart.name) if root else None
 
@@ -146,5 +156,5 @@ def compared(chosen: Sequence[Chart], step: Step) -> list[Compared]:
     for chart in chosen:
         step(chart.name)
         rows.append(Compared(chart))
-        _ = rows[-1].operations  # counted now, while progress is shown
+        _ = rows[-1].operations, rows[-1].measured  # found now, while progress is shown
     return rows

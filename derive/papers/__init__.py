@@ -9,8 +9,16 @@ condurache_popa_2023   entries of CP23, one module for each section
 karakilic_2010         entries of K10
 sharp                  sharpness of a condition, tested by the denominators
 explore                truth of a statement at seeded points, special points and poles
-decide                 status of an entry
+claim                  a claim with its letters, evaluated over balls at points given by coordinates
+constrained            points moved onto the equations of a stated domain
+probe                  points at which a claim may fail
+conditions             conditions of a claim, found from the points where it fails
+changes                claims that differ from a claim in one step
+judge                  decision of a claim whose condition is found
+decide                 status of an entry whose condition is stated
 entry_certificate      certificate of an entry: both sides of its equations as integer lists
+sheet                  papers as TOML files, read to entries
+run                    decision of a file's equations in worker processes
 report                 results as text, JSON, Markdown, HTML and LaTeX
 =====================  ========================================================================
 
@@ -25,31 +33,85 @@ sections     entries in printed order; a section may use symbols of earlier sect
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+import warnings
+from collections.abc import Callable, Collection, Iterable, Sequence
 from contextlib import nullcontext
+from pathlib import Path
 
 from ..output.listing import Listing
 from ..output.progress import bar, no_op
 from . import condurache_popa_2023, karakilic_2010
-from .decide import ORDERS, decide
+from .decide import decide
 from .equation import Entry, Paper, Reading, UndecidedError, equation
+from .judge import ORDERS
+from .language.claims import ClaimError
 from .result import Result, Status, Verdict
+from .run import SECONDS, decide_each
+from .sheet import Sheet, SheetError, claim_alone, load
 
 PAPERS: tuple[Paper, ...] = (condurache_popa_2023.PAPER, karakilic_2010.PAPER)
 
 
-def verify(
-    paper: str | None = None,
-    equations: str | Iterable[str] | None = None,
-    orders: Sequence[int] | None = None,
-    progress: Callable[[int, int], None] | None = None,
-) -> Listing[Result]:
-    """Decide the equations of the papers.
+def check(claim: str, /, *, domain: str = "", seconds: float = SECONDS, **letters: str) -> Result:
+    """Decide one claim.
 
     Parameters
     ----------
-    paper : str, optional
-        Slug of one paper; both by default.
+    claim : str
+        Relation in plain text, such as ``"R*transpose(R) == I"``. It is parsed, never evaluated.
+    domain : str, optional
+        Relation that states where the claim is said to hold.
+    seconds : float, optional
+        Time limit; a slower claim is undecided.
+    **letters : str
+        Kind of each letter, such as ``v="vector"`` or ``n="unit vector"``.
+
+    Returns
+    -------
+    Result
+        Its `status` is "holds", "holds-if" with the condition `found`, "false" with a counterexample and `changes` that
+        make the claim true, or "undecided" with the reason as `method`.
+
+    Raises
+    ------
+    ValueError
+        If the claim, the domain or a kind cannot be read: with the column and what was expected.
+
+    Examples
+    --------
+    >>> import derive
+    >>> derive.check("inverse(exp(skew(v))) == exp(skew(-v))", v="vector")
+    <Result holds>
+    """
+    with bar() as step:
+        step("claim")
+        (result,) = check_sheets([claim_alone(claim, letters, domain)], None, seconds)
+    return result
+
+
+def check_sheets(
+    sheets: Sequence[Sheet], numbers: Collection[str] | None = None, seconds: float = SECONDS,
+    step: Callable[[str], None] = no_op,
+) -> Listing[Result]:
+    """Decide the equations of files; `numbers` chooses some, and `step` is called after each."""
+    places = [(sheet, place, entry.number) for sheet in sheets for place, entry in enumerate(sheet.entries())]
+    items = [(sheet, place) for sheet, place, number in places if numbers is None or number in numbers]
+    return Listing(decide_each(items, seconds, step))
+
+
+def verify(
+    paper: str | Path | None = None,
+    equations: str | Iterable[str] | None = None,
+    orders: Sequence[int] | None = None,
+    progress: Callable[[int, int], None] | None = None,
+    seconds: float = SECONDS,
+) -> Listing[Result]:
+    """Decide the equations of the papers, or of a file.
+
+    Parameters
+    ----------
+    paper : str or Path, optional
+        Slug of one paper, or a TOML file; both papers by default. What cannot be read in a file is a warning.
     equations : str or iterable of str, optional
         Numbers or slugs, or one string separated by commas: ``"88,111"``. All by default.
     orders : sequence of int, optional
@@ -57,6 +119,8 @@ def verify(
     progress : callable, optional
         Function called with (done, total) after each equation. Without one, a terminal or a notebook shows a progress
         bar after two seconds.
+    seconds : float, optional
+        Time limit for an equation of a file; a slower one is undecided.
 
     Returns
     -------
@@ -66,7 +130,7 @@ def verify(
     Raises
     ------
     ValueError
-        If the paper or an equation does not exist.
+        If the paper or an equation does not exist, or the file is no such file.
 
     Examples
     --------
@@ -74,15 +138,22 @@ def verify(
     >>> derive.verify("condurache-popa-2023", "112")
     [<Result condurache-popa-2023 (112): erratum>]
     """
-    papers = [p for p in PAPERS if paper in (None, p.slug)]
+    papers: list[Paper] = [p for p in PAPERS if paper in (None, p.slug)]
+    if not papers and paper is not None and Path(paper).suffix == ".toml":
+        papers = [found := load(paper)]
+        for problem in found.problems:
+            warnings.warn(str(problem), stacklevel=2)
     if not papers:
-        raise ValueError(f"no paper {paper!r}: expected {' or '.join(p.slug for p in PAPERS)}")
+        raise ValueError(f"no paper {str(paper)!r}: expected {' or '.join(p.slug for p in PAPERS)}, or a file *.toml")
     listed = [part.strip() for part in equations.split(",")] if isinstance(equations, str) else equations
     wanted = None if listed is None else [str(number) for number in listed]
     chosen = [(p, e) for p in papers for e in p.entries() if wanted is None or e.number in wanted]
     missing = sorted(set(wanted or ()) - {e.number for _, e in chosen})
     if missing:
         raise ValueError(f"no equation {', '.join(missing)}")
+    if isinstance(papers[0], Sheet):
+        with bar(len(chosen)) as step:
+            return check_sheets([papers[0]], wanted, seconds, step)
     results: Listing[Result] = Listing()
     with bar(len(chosen)) if progress is None else nullcontext(no_op) as step:
         for done, (source, entry) in enumerate(chosen, 1):
@@ -94,6 +165,6 @@ def verify(
 
 
 __all__ = [
-    "ORDERS", "PAPERS", "Entry", "Paper", "Reading", "Result", "Status", "UndecidedError", "Verdict", "equation",
-    "verify",
+    "ORDERS", "PAPERS", "SECONDS", "ClaimError", "Entry", "Paper", "Reading", "Result", "Sheet", "SheetError", "Status",
+    "UndecidedError", "Verdict", "check", "check_sheets", "claim_alone", "equation", "load", "verify",
 ]  # fmt: skip

@@ -7,23 +7,22 @@ from contextlib import suppress
 from dataclasses import replace
 from functools import partial
 from itertools import product
-from math import lcm
 from typing import Any
 
 from ..algebra.element import NotExactError
+from .claim import Claim, rate_depth
+from .conditions import branched
 from .equation import Entry, Reading, UndecidedError, faithful
 from .explore import Trial, counterexample, explore
+from .judge import ORDERS, Pairs, first_failure, steps_of
 from .language.environment import Env
-from .language.operator_table import over
-from .language.printed import Number, Term, Trait, takes_apart, walk, with_trait
+from .language.printed import Term, Trait, takes_apart, with_trait
 from .numbers.generic import Generic
 from .numbers.quantities import BRANCH, ORDER, SIGN
-from .result import Result, Status, Verdict
+from .probe import singular
+from .result import Counterexample, Result, Status, Verdict
 from .sharp import is_sharp
 
-ORDERS = (1, 2, 3, 4, 5)
-Pairs = list[tuple[Any, Any]]
-"""Pairs of equal numbers in one exact field."""
 SHORT_DECIMALS = 1
 """Decimals of the numbers in a counterexample, if the statement also fails at numbers this short."""
 
@@ -64,6 +63,7 @@ def _check(entry: Entry, lost: str) -> None:
     unfaithful = not all(faithful(reading.statement, entry.extract, lost) for reading in entry.readings)
     mistakes = {
         "an argument leads on from an identity that is proved": entry.argument and entry.because is None,
+        "rates are nested, which claims of files may do": any(rate_depth(r.statement) > 1 for r in entry.readings),
         "a claimed domain and the words that state it come together": (entry.claimed is None) != (entry.stated is None),
         f"a reading does not have the characters of line {entry.line}": entry.extract and unfaithful,
         "an erratum shows the words of the paper": entry.corrected is not None and not (entry.extract or entry.said),
@@ -95,12 +95,23 @@ def judge(entry: Entry, reading: Reading, orders: Sequence[int]) -> Verdict:
         short = explore(entry, reading.statement, orders, SHORT_DECIMALS)
         shown = next((trial for trial in short if trial.inside and trial.truth is False), failed)
         return verdict(False, f"refuted at {failed.place}", counterexample(shown, entry, reading.statement))
+    if (refuted := _refuted(entry, reading.statement)) is not None:
+        return verdict(False, f"refuted at {refuted.point}", refuted)
     outside = [trial for trial in trials if not trial.inside]
     if not inside or (entry.condition is not None and not outside):
         raise UndecidedError(f"({entry.number}): no point on {'both sides' if inside else 'the inside'} of its domain")
     beyond = _beyond(entry, reading.statement, outside)
     method = _method(entry, reading.statement, prove(entry, reading.statement, orders), len(inside))
     return verdict(True, f"{method}; also true at {beyond.point}" if beyond else method)
+
+
+def _refuted(entry: Entry, statement: Term) -> Counterexample | None:
+    """Return a point at which a statement without definitions, domain or condition fails, as for claims of files."""
+    if entry.where or entry.also or entry.claimed is not None or entry.condition is not None:
+        return None
+    if not branched(statement) and next(singular(statement), None) is None:
+        return None  # a polynomial identity has no special place
+    return first_failure(Claim(entry, statement, lenient=True))
 
 
 def _beyond(entry: Entry, statement: Term, outside: Sequence[Trial]) -> Trial | None:
@@ -150,7 +161,7 @@ def prove(entry: Entry, statement: Term, orders: Sequence[int], found: list[Pair
     try:
         for n in orders if order is not None else (0,):
             for k, plus_minus in product(range((entry.branches or n) if branch else 1), (1, -1) if sign else (1,)):
-                steps = 4 * n or _steps(statement)
+                steps = 4 * n or steps_of(statement)
                 point = Generic(generic, dual, entry.moving, steps, framed=not entry.components)
                 if branch is not None:
                     point.fix_branch(branch, k)
@@ -161,12 +172,6 @@ def prove(entry: Entry, statement: Term, orders: Sequence[int], found: list[Pair
     if not checked:
         return None
     return "exact" if order is None else f"exact, n = {', '.join(map(str, orders))}"
-
-
-def _steps(statement: Term) -> int:
-    """Return an integer M such that the statement contains only multiples of α/M, for each free angle α."""
-    divisors = [node.arguments[1] for node in walk(statement) if node.operator is over]
-    return 2 * lcm(2, *(d.value for d in divisors if isinstance(d, Number)))
 
 
 def _checked(entry: Entry, statement: Term, point: Generic, found: list[Pairs] | None = None) -> bool:

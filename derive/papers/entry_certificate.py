@@ -8,9 +8,12 @@ from typing import Any
 from ..algebra.element import Element
 from ..proof.certificate import Certificate, part
 from ..proof.identity import Sides
-from .decide import ORDERS, Pairs, prove
+from .claim import Claim
+from .decide import prove
+from .judge import ORDERS, Pairs, proved
 from .language import operator_table
 from .language.printed import Apply, Term, text
+from .language.written import written
 from .result import Result, Status
 
 TERMS_MAX = 2000
@@ -27,7 +30,10 @@ def certificate(result: Result, orders: Sequence[int] = ORDERS) -> Certificate |
         return "its statement is more than equations; " + result.method
     found: list[Pairs] = []
     orders = tuple(n for n in orders if entry.orders is None or n in entry.orders) or (entry.orders or orders)
-    method = prove(entry, statement, orders, found)
+    if entry.written is None:
+        method = prove(entry, statement, orders, found)
+    else:
+        method = "exact" if proved(Claim(entry, statement), found) else None
     pairs = [[pair for pair in part if any(isinstance(side, Element) for side in pair)] for part in found]
     if method is None or not any(pairs):
         return "it is decided by numbers; " + result.method
@@ -36,7 +42,7 @@ def certificate(result: Result, orders: Sequence[int] = ORDERS) -> Certificate |
     most = max(_terms(side) for part in pairs for pair in part for side in pair)
     if most > TERMS_MAX:
         return f"its polynomials have {most} terms, more than {TERMS_MAX}; {result.method}"
-    claim = text(statement)
+    claim = text(statement) if entry.written is None else written(statement)
     return {
         "name": f"{result.paper} ({entry.number}){', corrected' if corrected else ''}",
         "scope": method,

@@ -23,8 +23,9 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 from ..output.typeset import Typeset
+from .language.claims import Abbreviation, contracted, expanded
 from .language.environment import Definition
-from .language.printed import Symbol, Term, latex, symbols, text
+from .language.printed import Symbol, Term, latex, symbols, text, walk
 from .numbers.draw import Draw
 
 Points = Callable[[Draw], Mapping[str, Mapping[Symbol, Any]]]
@@ -72,7 +73,12 @@ class Entry(Typeset):
     fixed_by: str = ""  # legible passage that decides between the readings
     said: str = ""  # words of the paper, for a claim without a display
     remark: str = ""  # one sentence for the report
-    source: str = ""  # path of the module that defines the entry; filled in by `Paper.entries`
+    source: str = ""  # path of the module or file that defines the entry; filled in by `Paper.entries`
+    written: Term | None = None  # claim of a file before its definitions are filled in
+    mended: Term | None = None  # correction of a file before its definitions are filled in
+    abbreviations: Mapping[str, Abbreviation] = field(default_factory=dict, compare=False)  # definitions of its file
+    at: str = ""  # place where a claim of a file is printed
+    printed: str = ""  # LaTeX of a claim of a file, as printed
 
     @property
     def definitions(self) -> dict[Symbol, Definition]:
@@ -88,11 +94,33 @@ class Entry(Typeset):
                 found += [argument for argument in self.definitions[symbol].arguments if argument not in found]
         return tuple(symbol for symbol in found if symbol not in self.definitions and symbol.quantity.varies)
 
+    def expanded(self, statement: Term) -> Term:
+        """Return a statement with the definitions of its file filled in."""
+        return expanded(statement, self.abbreviations)
+
+    def contracted(self, statement: Term) -> Term:
+        """Return a part of an expanded statement in the names of its file."""
+        named = [self.written] if self.written is not None else []
+        known = [body for a in self.abbreviations.values() for kinds, (body, _) in a.known.items() if not kinds]
+        parts = [part for whole in (*named, *known) for part in walk(whole) if part.arguments]
+        return contracted(statement, {self.expanded(part): part for part in reversed(parts)})
+
     def __repr__(self) -> str:
         return f"<Equation ({self.number}): {self.title}>"
 
+    def __reduce_ex__(self, protocol: Any) -> Any:
+        """Return the place of an entry of a paper, whose definitions are functions that pickle refuses."""
+        return (_entry_at, (self.source, self.number)) if self.source else super().__reduce_ex__(protocol)
+
     def _typeset(self) -> str:
         return rf"\text{{({self.number})}}\quad {latex(self.readings[0].statement)}"
+
+
+def _entry_at(source: str, number: str) -> Entry:
+    """Return the entry with a number in the module at a path."""
+    entries = importlib.import_module(source.removesuffix(".py").replace("/", ".")).ENTRIES
+    found: Entry = next(entry for entry in entries if entry.number == number)
+    return replace(found, source=source)
 
 
 def equation(number: str, title: str, line: int, printed: Term | tuple[Reading, ...], **rest: Any) -> Entry:

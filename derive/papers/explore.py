@@ -5,7 +5,7 @@ A point where the statement is false gives a counterexample.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import combinations, pairwise
 from typing import Any
@@ -156,13 +156,13 @@ def counterexample(trial: Trial, entry: Entry, statement: Term) -> Counterexampl
     with mpmath.workdps(FIELD_DIGITS):
         numbers = {latex(symbol): shown(trial.env.value(symbol)) for symbol in entry.free(statement)}
         letters = {name: parts for name, parts in numbers.items() if parts}
-        return Counterexample(trial.point, letters, _sides(trial.env, statement))
+        return Counterexample(trial.point, letters, sides(trial.env, statement, shown))
 
 
-def _sides(env: Env, statement: Term) -> tuple[list[str], ...]:
-    """Return the first two neighbouring sides of an equation that are unequal."""
+def sides(env: Env, statement: Term, shown: Callable[[Any], list[str]]) -> tuple[list[str], ...]:
+    """Return the first two neighbouring sides of an equation that are unequal, each as `shown`."""
     if Trait.JOINS in statement.operator.traits:
-        return next((found for part in statement.arguments if (found := _sides(env, part))), ())
+        return next((found for part in statement.arguments if (found := sides(env, part, shown))), ())
     if statement.operator is operator_table.equal:
         for pair in pairwise(statement.arguments):
             try:

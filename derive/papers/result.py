@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, field
 from enum import StrEnum
 from typing import Any
 
 from ..output.typeset import Typeset
 from .equation import Entry
 from .language.printed import Term, latex
+from .language.written import written
 
 
 class Status(StrEnum):
@@ -18,8 +19,10 @@ class Status(StrEnum):
 
     HOLDS = "holds"
     HOLDS_IF = "holds-if"
+    FALSE = "false"
     ERRATUM = "erratum"
     AMBIGUOUS = "ambiguous"
+    UNDECIDED = "undecided"
 
 
 @dataclass(frozen=True)
@@ -27,8 +30,9 @@ class Counterexample:
     """Point at which a statement is false, as in the output of ``--format json``."""
 
     point: str
-    letters: Mapping[str, list[str]]  # numbers of each free symbol by its LaTeX
-    sides: tuple[list[str], ...]  # numbers of both sides of the equation that fails; empty for a claim in words
+    letters: Mapping[str, list[str]] = field(hash=False)  # numbers of each free symbol by its LaTeX
+    sides: tuple[list[str], ...] = field(hash=False)  # numbers of both sides that differ; empty for a claim in words
+    proof: str = field(default="", metadata={"only": "claims"})  # "exact rationals" or "disjoint intervals"
 
 
 @dataclass(frozen=True)
@@ -63,16 +67,36 @@ class Result(Typeset):
     method: str  # method of decision in words
     verdicts: tuple[Verdict, ...]  # one for each listed reading, true ones first
     exact: bool = False  # whether the denominators show that the condition is sharp, not only sufficient
+    # further fields of claims whose condition is found
+    certainty: str = ""  # "exact" or "evidence"
+    points: int = 0  # points evaluated inside the domain
+    found: str = ""  # condition in the form of claims
+    outside: Counterexample | None = None  # point outside the condition
+    changes: tuple[str, ...] = ()  # changes in one step that make a false claim true, simplest first
+    vacuous: tuple[str, ...] = ()  # terms whose sign or coefficient does not matter
+    needs: tuple[str, ...] = ()  # constraints of letters without which the claim is false
+    cuts: str = ""  # how many points fail on other branches, and where they lie
 
     @property
     def printed(self) -> str:
-        """LaTeX of the first reading."""
-        return self.verdicts[0].latex
+        """LaTeX of the first reading, or of a claim in a file with the names of its definitions."""
+        return self.verdicts[0].latex if self.equation.written is None else latex(self.equation.written)
+
+    @property
+    def claim(self) -> str:
+        """Claim of a file as plain text."""
+        return "" if self.equation.written is None else written(self.equation.written)
+
+    @property
+    def domain(self) -> str:
+        """Domain that a file states for a claim, as plain text."""
+        stated = self.equation.claimed
+        return "" if stated is None or self.equation.written is None else written(stated)
 
     @property
     def corrected(self) -> str | None:
         """LaTeX of the correction of an erratum."""
-        return _latex(self.equation.corrected) if self.status is Status.ERRATUM else None
+        return _latex(self.equation.mended or self.equation.corrected) if self.status is Status.ERRATUM else None
 
     @property
     def condition(self) -> str | None:
@@ -86,8 +110,9 @@ class Result(Typeset):
 
     @property
     def counterexample(self) -> Counterexample | None:
-        """Counterexample of an erratum."""
-        return self.verdicts[0].counterexample if self.status is Status.ERRATUM else None
+        """Counterexample of an erratum or a false claim."""
+        wrong = self.status in (Status.ERRATUM, Status.FALSE)
+        return self.verdicts[0].counterexample if wrong else None
 
     @property
     def section(self) -> str:
@@ -111,8 +136,8 @@ class Result(Typeset):
             "printed": self.printed,
             "corrected": self.corrected,
             "claimed": self.claimed,
-            "stated": entry.stated and entry.stated[1],
-            "condition": self.condition,
+            "stated": entry.stated[1] if entry.stated else self.domain or None,
+            "condition": self.condition or self.found or None,
             "exact": self.exact if entry.condition is not None else None,
             "readings": [
                 {"latex": v.latex, "verdict": "true" if v.true else "false", "note": v.note} for v in self.verdicts
@@ -123,7 +148,12 @@ class Result(Typeset):
             "method": self.method,
             "anchor": self.anchor,
             "section": self.section,
-            **{name: getattr(entry, name) for name in ("line", "source", "said", "remark")},
+            "claim": self.claim or None,
+            "domain": self.domain or None,
+            "outside": self.outside and asdict(self.outside),
+            **{name: getattr(self, name) for name in ("certainty", "points", "changes", "vacuous", "needs", "cuts")},
+            **{name: getattr(entry, name) for name in ("at", "line", "source", "said", "remark")},
+            "latex": entry.printed or None,
         }
 
     def cells(self) -> dict[str, str]:
@@ -134,11 +164,12 @@ class Result(Typeset):
             "status": str(self.status),
             "printed": f"$\\displaystyle {self.printed}$",
             "corrected": f"$\\displaystyle {self.corrected}$" if self.corrected else "",
-            "method": self.method,
+            "method": "; ".join(part for part in (self.found, self.method) if part),
         }
 
     def __repr__(self) -> str:
-        return f"<Result {self.paper} ({self.equation.number}): {self.status}>"
+        label = f"{self.paper} ({self.equation.number}): " if self.paper else ""
+        return f"<Result {label}{self.status}{': ' if self.found else ''}{self.found}>"
 
     def _typeset(self) -> str:
         body = rf"\text{{({self.equation.number}) {self.status}:}}\quad {self.printed}"

@@ -82,6 +82,13 @@ class Proof(Typeset):
         return "; ".join(equation.text for equation in self.claim)
 
     @property
+    def equation(self) -> sympy.Eq:
+        """Claim as an equation of SymPy; several equations are one between tuples of their sides."""
+        sides = zip(*((equation.left, equation.right) for equation in self.claim), strict=True)
+        left, right = (side[0] if len(side) == 1 else sympy.Tuple(*side) for side in sides)
+        return sympy.Eq(left, right, evaluate=False)
+
+    @property
     def latex(self) -> str:
         """Claim in LaTeX."""
         return r";\; ".join(equation.latex for equation in self.claim)
@@ -105,6 +112,11 @@ class Proof(Typeset):
         """Return the row in a table of proofs."""
         start = {"theorem": self.name, "scope": self.scope, "status": self.status}
         return {**start, "statement": f"$\\displaystyle {self.latex}$", "method": self.method}
+
+    def __getstate__(self) -> dict[str, Any]:
+        """Return the fields; a residue other than 0 becomes text, since elements of exact rings have no copies."""
+        residues = tuple(Residue(r.label, 0 if r.value == 0 else str(r.value)) for r in self.residues)
+        return {**vars(self), "residues": residues}
 
     def __str__(self) -> str:
         return f"{self.status} [{self.scope}] {self.statement} ({self.method})"

@@ -16,6 +16,8 @@ from derive.cli.commands import cli
 from derive.codegen.signatures import POSES
 from derive.codegen.targets.c import shared_geometry
 from derive.output import templates
+from derive.papers.language.kinds import LETTERS
+from derive.papers.language.operations import OPERATIONS
 from dualcay import cayley2
 from dualcay.rotation import cayley2 as rotation
 
@@ -77,9 +79,23 @@ def command_page() -> str:
     for name, command in cli.commands.items():
         parts.append(f"## dualcay {name}\n\n{command.help}\n\n```{{program}} dualcay {name}\n```\n")
         for option in command.params:
-            flags, text = option.get_help_record(click.Context(command))  # type: ignore[misc]
+            if not (record := option.get_help_record(click.Context(command))):  # of an argument
+                continue
+            flags, text = record
             parts.append(f":::{{option}} {flags}\n{escaped(text)}\n:::\n")
     return "\n".join(parts)
+
+
+def kinds_page() -> str:
+    """Return the table of the kinds of letters in claims, in Markdown."""
+    rows = [f"| `{kind}` | {words} |" for kind, (_, _, words) in LETTERS.items()]
+    return "\n".join(["| kind | value |", "|---|---|", *rows, ""])
+
+
+def operations_page() -> str:
+    """Return the table of the operations in claims, in Markdown."""
+    rows = [f"| `{r.example}` | {', '.join(r.takes)}{' …' * r.many} | {escaped(r.says)} |" for r in OPERATIONS.values()]
+    return "\n".join(["| example | takes | value |", "|---|---|---|", *rows, ""])
 
 
 def c_header() -> str:
@@ -114,7 +130,8 @@ def write(app: Any) -> None:
     """Write the included texts and the figures into the folder of generated pages."""
     folder = Path(app.srcdir) / GENERATED
     folder.mkdir(parents=True, exist_ok=True)
-    for name, text in (("command.inc", command_page()), ("c.inc", c_page())):
+    pages = (command_page, c_page, kinds_page, operations_page)
+    for name, text in ((f"{page.__name__.removesuffix('_page')}.inc", page()) for page in pages):
         (folder / name).write_text(text, encoding="utf-8")
     reference_figures.draw(folder)
 

@@ -51,7 +51,7 @@ def call_branch(chart: Chart, name: str, branch: int, *given: Any) -> Array:
 def shifted(chart: Chart, branch: int, *given: Any) -> Array:
     """Return the shadow of v after ``branch`` branches; v itself for branch 0."""
     turn = turn_of(chart, branch)
-    return call(chart, "shadow", *given, table=turn) if turn else unchanged(chart, *given)
+    return call(chart, "shadow", *given, table=turn) if turn else stayed(chart, *given)
 
 
 def shifted_jacobian(chart: Chart, branch: int, *given: Any) -> Array:
@@ -62,7 +62,12 @@ def shifted_jacobian(chart: Chart, branch: int, *given: Any) -> Array:
 
 def returned(chart: Chart, *given: Any) -> Array:
     """Return the vector on the principal branch; v itself if the chart has one branch only."""
-    return call(chart, "principal", *given, table=chart.returns) if chart.returns else unchanged(chart, *given)
+    return call(chart, "principal", *given, table=chart.returns) if chart.returns else stayed(chart, *given)
+
+
+def stayed(chart: Chart, *given: Any) -> Array:
+    """Return v itself; NaN beyond the end of the chart."""
+    return call(chart, "stay", *given) if chart.ends else unchanged(chart, *given)
 
 
 def switched(
@@ -76,7 +81,8 @@ def switched(
     if spread is not None:
         require_symmetric("covariance", spread, (0, 1) if axis == 0 else (-2, -1))
     moved = kernels.principal(array, axis=axis)
-    changed = np.any((moved != array) & (moved == moved), axis=axis, keepdims=True)
+    with np.errstate(invalid="ignore"):
+        changed = np.any((moved != array) | (array - array != 0), axis=axis, keepdims=True)
     if not changed.any():
         moved = array
     else:

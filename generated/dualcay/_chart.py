@@ -36,9 +36,12 @@ class Chart:
     singular_angles : tuple of float
         Angles where the chart or its operators are singular; the edge of the chart is last.
     turns : tuple of pairs
-        Decimals by branch: cosine and sine of the turn, or 1 and the angle if ``branches = 0``.
+        Decimals by branch: cosine and sine of the turn. If ``branches = 0``, one pair: the number near 2π that is
+        last counts once for a turn, and again times the first.
     returns : tuple
         Three decimals for each turn back to branch 0: the v·v where it begins, then a pair as in ``turns``.
+    ends : bool
+        True if vectors beyond a length have no pose.
     functions : mapping
         Scalar programs by name.
     kernels : mapping
@@ -55,6 +58,7 @@ class Chart:
     functions: Mapping[str, Callable[..., Result]]
     kernels: Mapping[str, Kernel]
     programs: str
+    ends: bool = False
 
     def __post_init__(self) -> None:
         self.plain = SimpleNamespace(**self.functions)

@@ -692,40 +692,47 @@ def transition(m: Any, c: Any, v: Components, v0: Components, table: Components)
     return matrix6(D)
 
 
-def vector_of(m: Any, c: Any, gain: Any, e: Components, rho: Components) -> Result:
-    """Vector v = gain vec e of a quaternion e.
-    The dual part is v° = T⁻¹ ρ.
+def vector_of(m: Any, c: Any, e: Components, size: Any, whole: Any, r: Components) -> Result:
+    """Vector v = gain vec e of a quaternion e of a size; NaN if `whole` is not finite.
+    The dual part is v° = T⁻¹ ρ, with ρ = 2 r; v is NaN if r is not finite.
     """
     e0, e1, e2, e3 = e
-    rho1, rho2, rho3 = rho
-    v1 = e1 * gain
-    v2 = e2 * gain
-    v3 = e3 * gain
+    r1, r2, r3 = r
+    gain, = c.gain(m, e0, e1, e2, e3, size)
+    every = whole + r1 + r2 + r3
+    factor = gain + (every - every)
+    v1 = e1 * factor
+    v2 = e2 * factor
+    v3 = e3 * factor
     x = v1 * v1 + v2 * v2 + v3 * v3
-    fe = gain * e0
+    fe = factor * e0
     fi, hi = c.inverse_scalars(m, x, fe)
-    along = hi * (v1 * rho1 + v2 * rho2 + v3 * rho3)
+    along = hi * (v1 * r1 + v2 * r2 + v3 * r3)
     return (
-        v1, v2, v3, (rho1 * fi - (v2 * rho3 - v3 * rho2) + v1 * along) / 2,
-        (rho2 * fi - (v3 * rho1 - v1 * rho3) + v2 * along) / 2, (rho3 * fi - (v1 * rho2 - v2 * rho1) + v3 * along) / 2,
+        v1, v2, v3, r1 * fi - (v2 * r3 - v3 * r2) + v1 * along, r2 * fi - (v3 * r1 - v1 * r3) + v2 * along,
+        r3 * fi - (v1 * r2 - v2 * r1) + v3 * along,
     )
 
 
 def from_quaternion(m: Any, c: Any, e: Components) -> Result:
-    """Vector v = gain vec q̂ of a unit dual quaternion q̂, CP23 (47).
-    The dual part is v° = T⁻¹ ρ with ρ = 2 vect(q̂° q̂*), CP23 Theorem 5.
+    """Vector v = gain vec q̂ of a dual quaternion q̂ of any norm, CP23 (47).
+    The dual part is v° = T⁻¹ ρ with ρ = 2 vect(q̂° q̂*)/|q|², CP23 Theorem 5.
     """
     e0, e1, e2, e3, e0o, e1o, e2o, e3o = e
-    gain, = c.gain_unit(m, e0, e1, e2, e3)
+    square = e0 * e0 + (e1 * e1 + e2 * e2 + e3 * e3)
+    size = m.sqrt(square)
+    inverse = 1 / square
+    whole = size + inverse
     return (
-        vector_of(m, c, gain, (e0, e1, e2, e3), (2 * (e1o * e0 - e1 * e0o + (e2 * e3o - e3 * e2o)), 2 * (e2o * e0 - e2
-        * e0o + (e3 * e1o - e1 * e3o)), 2 * (e3o * e0 - e3 * e0o + (e1 * e2o - e2 * e1o))))
+        vector_of(m, c, (e0, e1, e2, e3), size, whole, ((e1o * e0 - e1 * e0o + (e2 * e3o - e3 * e2o)) * inverse, (e2o
+        * e0 - e2 * e0o + (e3 * e1o - e1 * e3o)) * inverse, (e3o * e0 - e3 * e0o + (e1 * e2o - e2 * e1o)) * inverse))
     )
 
 
 def quaternion_of(m: Any, Q: Components) -> Result:
-    """Positive multiple of the quaternion of a rotation Q, with scalar part >= 0.
-    The result is the row of 4 q qᵀ with the largest diagonal entry, which loses no digits.
+    """Multiple of the quaternion of a rotation Q, and its size; the first component of its vector part is positive.
+    The multiple is the row of 4 q qᵀ with the largest diagonal entry, which loses no digits. A first component that is
+    0 up to rounding does not count.
     """
     Q11, Q12, Q13, Q21, Q22, Q23, Q31, Q32, Q33 = Q
     a1 = Q32 - Q23
@@ -759,8 +766,11 @@ def quaternion_of(m: Any, Q: Components) -> Result:
     z31 = m.where(larger3, s13, z21)
     z32 = m.where(larger3, s23, z22)
     z33 = m.where(larger3, t3, z23)
-    sign = m.where((z30 < 0) | (z30 == 0) & ((z31 < 0) | (z31 == 0) & ((z32 < 0) | (z32 == 0) & (z33 < 0))), -1, 1)
-    return sign * z30, sign * z31, sign * z32, sign * z33
+    size = m.sqrt(z30 * z30 + (z31 * z31 + z32 * z32 + z33 * z33))
+    beside2 = size + z32 / 16
+    beside1 = size + z31 / 16
+    sign = m.where((beside1 < size) | (beside1 == size) & ((beside2 < size) | (beside2 == size) & (z33 < 0)), -1, 1)
+    return sign * z30, sign * z31, sign * z32, sign * z33, size
 
 
 def from_tensor(m: Any, c: Any, R: Components) -> Result:
@@ -768,23 +778,20 @@ def from_tensor(m: Any, c: Any, R: Components) -> Result:
     The dual part is v° = T⁻¹ ρ with ρ = vect(R° Qᵀ), R° = skew(ρ) Q.
     """
     R11, R12, R13, R21, R22, R23, R31, R32, R33, R11o, R12o, R13o, R21o, R22o, R23o, R31o, R32o, R33o = R
-    e = quaternion_of(m, (R11, R12, R13, R21, R22, R23, R31, R32, R33))
-    e0, e1, e2, e3 = e
-    gain, = c.gain_positive(m, e0, e1, e2, e3)
+    e0, e1, e2, e3, esize = quaternion_of(m, (R11, R12, R13, R21, R22, R23, R31, R32, R33))
     return (
-        vector_of(m, c, gain, e, ((R31o * R21 + R32o * R22 + R33o * R23 - (R21o * R31 + R22o * R32 + R23o * R33)) / 2,
-        (R11o * R31 + R12o * R32 + R13o * R33 - (R31o * R11 + R32o * R12 + R33o * R13)) / 2, (R21o * R11 + R22o * R12
-        + R23o * R13 - (R11o * R21 + R12o * R22 + R13o * R23)) / 2))
+        vector_of(m, c, (e0, e1, e2, e3), esize, esize, ((R31o * R21 + R32o * R22 + R33o * R23 - (R21o * R31 + R22o
+        * R32 + R23o * R33)) / 4, (R11o * R31 + R12o * R32 + R13o * R33 - (R31o * R11 + R32o * R12 + R33o * R13)) / 4,
+        (R21o * R11 + R22o * R12 + R23o * R13 - (R11o * R21 + R12o * R22 + R13o * R23)) / 4))
     )
 
 
 def from_pose(m: Any, c: Any, T: Components) -> Result:
     """Vector v of a homogeneous matrix [[Q, ρ], [0, 1]], with the dual part v° = T⁻¹ ρ."""
-    Q11, Q12, Q13, T14, Q21, Q22, Q23, T24, Q31, Q32, Q33, T34, _, _, _, _ = T
-    e = quaternion_of(m, (Q11, Q12, Q13, Q21, Q22, Q23, Q31, Q32, Q33))
-    e0, e1, e2, e3 = e
-    gain, = c.gain_positive(m, e0, e1, e2, e3)
-    return vector_of(m, c, gain, e, (T14, T24, T34))
+    Q11, Q12, Q13, T14, Q21, Q22, Q23, T24, Q31, Q32, Q33, T34, Q41, Q42, Q43, T44 = T
+    e0, e1, e2, e3, esize = quaternion_of(m, (Q11, Q12, Q13, Q21, Q22, Q23, Q31, Q32, Q33))
+    whole = esize + Q41 + Q42 + Q43 + T44
+    return vector_of(m, c, (e0, e1, e2, e3), esize, whole, (T14 / 2, T24 / 2, T34 / 2))
 
 
 def from_screw(m: Any, c: Any, angle: Components, line: Components) -> Result:
@@ -792,8 +799,18 @@ def from_screw(m: Any, c: Any, angle: Components, line: Components) -> Result:
     alpha, alphao = angle
     u1, u2, u3, u1o, u2o, u3o = line
     r, slope = c.coefficient(m, alpha)
+    every = alpha + alphao + u1 + u2 + u3 + u1o + u2o + u3o
+    size = r + (every - every)
     ro = alphao * slope
-    return u1 * r, u2 * r, u3 * r, u1o * r + u1 * ro, u2o * r + u2 * ro, u3o * r + u3 * ro
+    made1 = u1 * size
+    made2 = u2 * size
+    made3 = u3 * size
+    xmade = made1 * made1 + made2 * made2 + made3 * made3
+    inside, = c.inside(m, xmade)
+    return (
+        made1 * inside, made2 * inside, made3 * inside, u1o * size + u1 * ro, u2o * size + u2 * ro,
+        u3o * size + u3 * ro,
+    )
 
 
 def axis_of(m: Any, v: Components) -> Result:
@@ -840,16 +857,14 @@ def angle(m: Any, c: Any, v: Components) -> Result:
     The dual part is r° (f + x h), since dα/dr = f + x h.
     """
     v1, v2, v3, _, _, _ = v
-    _, _, _, _, ro, _, _, _ = axis_of(m, v)
+    r, _, _, _, ro, _, _, _ = axis_of(m, v)
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
     f, _, h = c.pose_scalars(m, v11, v22, v33)
     x = v11 + v22 + v33
-    resting = x == 0
-    rown = m.sqrt(m.where(resting, 1 + x, x))
-    own, = c.unfolded(m, x, rown)
-    return m.where(resting, x, own), ro * (f + x * h)
+    own, = c.unfolded(m, x, r)
+    return own, ro * (f + x * h)
 
 
 def to_exponential(m: Any, c: Any, v: Components) -> Result:
@@ -858,7 +873,7 @@ def to_exponential(m: Any, c: Any, v: Components) -> Result:
     x = v1 * v1 + v2 * v2 + v3 * v3
     resting = x == 0
     square = m.where(resting, 1 + x, x)
-    length = m.sqrt(square)
+    length = m.sqrt(square) + (square - square)
     own, = c.unfolded(m, x, length)
     rate, = c.rate_scalars(m, x)
     share = m.where(resting, rate, own / length)
@@ -873,14 +888,22 @@ def from_exponential(m: Any, c: Any, w: Components) -> Result:
     x = w1 * w1 + w2 * w2 + w3 * w3
     resting = x == 0
     square = m.where(resting, 1 + x, x)
-    length = m.sqrt(square)
+    length = m.sqrt(square) + (square - square)
     alpha = m.where(resting, x, length)
     within, = c.reached(m, alpha)
     rn, slopen = c.coefficient(m, within)
     share = m.where(resting, slopen, rn / length)
     y = w1 * w1o + w2 * w2o + w3 * w3o
     bend = (slopen - share) * y / square
-    return w1 * share, w2 * share, w3 * share, w1o * share + w1 * bend, w2o * share + w2 * bend, w3o * share + w3 * bend
+    made1 = w1 * share
+    made2 = w2 * share
+    made3 = w3 * share
+    xmade = made1 * made1 + made2 * made2 + made3 * made3
+    inside, = c.inside(m, xmade)
+    return (
+        made1 * inside, made2 * inside, made3 * inside, w1o * share + w1 * bend, w2o * share + w2 * bend,
+        w3o * share + w3 * bend,
+    )
 
 
 def turn(m: Any, c: Any, v: Components, table: Components) -> Result:
@@ -889,7 +912,12 @@ def turn(m: Any, c: Any, v: Components, table: Components) -> Result:
     r, u1, u2, u3, ro, u1o, u2o, u3o = axis_of(m, v)
     rk, slope, _ = c.turned(m, r, cos, sin)
     rko = ro * slope
-    return u1 * rk, u2 * rk, u3 * rk, u1o * rk + u1 * rko, u2o * rk + u2 * rko, u3o * rk + u3 * rko
+    made1 = u1 * rk
+    made2 = u2 * rk
+    made3 = u3 * rk
+    xmade = made1 * made1 + made2 * made2 + made3 * made3
+    inside, = c.inside(m, xmade)
+    return made1 * inside, made2 * inside, made3 * inside, u1o * rk + u1 * rko, u2o * rk + u2 * rko, u3o * rk + u3 * rko
 
 
 def shadow(m: Any, c: Any, v: Components, table: Components) -> Result:
@@ -903,13 +931,29 @@ def shadow(m: Any, c: Any, v: Components, table: Components) -> Result:
     sn = sign * sin
     rk, slope, _ = c.turned(m, r, cos, sn)
     rko = ro * slope
-    return u1 * rk, u2 * rk, u3 * rk, u1o * rk + u1 * rko, u2o * rk + u2 * rko, u3o * rk + u3 * rko
+    made1 = u1 * rk
+    made2 = u2 * rk
+    made3 = u3 * rk
+    xmade = made1 * made1 + made2 * made2 + made3 * made3
+    inside, = c.inside(m, xmade)
+    return made1 * inside, made2 * inside, made3 * inside, u1o * rk + u1 * rko, u2o * rk + u2 * rko, u3o * rk + u3 * rko
+
+
+def stay(m: Any, c: Any, v: Components) -> Result:
+    """Vector v itself, the shadow by no turn; NaN where q̂ is not finite."""
+    v1, v2, v3, v1o, v2o, v3o = v
+    x = v1 * v1 + v2 * v2 + v3 * v3
+    s, w, _, _ = c.quaternion_scalars(m, x)
+    one = 1 + (s - s + (w - w))
+    return one * v1, one * v2, one * v3, one * v1o, one * v2o, one * v3o
 
 
 def identity_jacobian(m: Any, c: Any, v: Components) -> Result:
-    """Identity I, the derivative of a shadow by no turn; NaN where v is not finite."""
+    """Identity I, the derivative of a shadow by no turn; NaN where v or q̂ is not finite."""
     v1, v2, v3, v1o, v2o, v3o = v
-    none = v1 - v1 + (v2 - v2) + (v3 - v3) + (v1o - v1o) + (v2o - v2o) + (v3o - v3o)
+    x = v1 * v1 + v2 * v2 + v3 * v3
+    s, w, _, _ = c.quaternion_scalars(m, x)
+    none = s - s + (w - w) + (v1 - v1) + (v2 - v2) + (v3 - v3) + (v1o - v1o) + (v2o - v2o) + (v3o - v3o)
     one = 1 + none
     return (
         one, none, none, 0, 0, 0, none, one, none, 0, 0, 0, none, none, one, 0, 0, 0, none, none, none, one, none, none,
@@ -968,8 +1012,8 @@ def principal(m: Any, c: Any, v: Components, table: Components) -> Result:
     """Principal vector of v, turned back as the table of returns says for x; a principal v is returned unchanged."""
     v1, v2, v3, v1o, v2o, v3o = v
     x = v1 * v1 + v2 * v2 + v3 * v3
-    beyond, cosine, sine = c.beyond(m, x, *table)
-    r = m.sqrt(m.where(beyond, x, 1 + x))
+    beyond, place, cosine, sine = c.beyond(m, x, *table)
+    r = m.sqrt(place)
     u1 = v1 / r
     u2 = v2 / r
     u3 = v3 / r
@@ -1038,8 +1082,11 @@ def compose(m: Any, c: Any, v2: Components, v1: Components) -> Result:
         composed((e0_2, e1_2, e2_2, e3_2), f_2, g_2, v2, (rho1_2, rho2_2, rho3_2), (e0_1, e1_1, e2_1, e3_1), (rho1_1,
         rho2_1, rho3_1))
     )
-    gain, = c.gain_product(m, e0, e1, e2, e3, size_2, size_1)
-    return vector_of(m, c, gain, (e0, e1, e2, e3), (rho1, rho2, rho3))
+    size = size_2 * size_1
+    r1 = rho1 / 2
+    r2 = rho2 / 2
+    r3 = rho3 / 2
+    return vector_of(m, c, (e0, e1, e2, e3), size, size, (r1, r2, r3))
 
 
 def between(m: Any, c: Any, v2: Components, v1: Components) -> Result:
@@ -1099,8 +1146,8 @@ def exponential_scalars(m: Any, delta: Components) -> Result:
     v33 = d3 * d3
     part = v11 + v22
     x = part + v33
-    near = x < 6
-    z = m.where(near, x, x - x) / 4
+    nearby = x < 6
+    z = m.where(nearby, x, x - x) / 4
     C7 = (
         (72 - z * ((3603600 - z * (32760 - z * (210 - z * ((93024 - z * (342 - z * ((212520 - z * (506 - z)) / 212520)))
         / 93024)))) / 3603600)) / 72 / 5040
@@ -1110,13 +1157,13 @@ def exponential_scalars(m: Any, delta: Components) -> Result:
     C1 = 1 - z * C3
     CC1 = C1 * C1
     C0 = m.sqrt(1 - z * CC1)
-    xx = m.where(near, 6 + x, x)
+    xx = m.where(nearby, 6 + x, x)
     alpha = m.sqrt(xx)
     t = m.tan(alpha / 4)
     tt = t * t
     below = 1 + tt
-    s = m.where(near, C0, (1 - tt) / below)
-    w = m.where(near, C1 / 2, 2 * t / below / alpha)
+    s = m.where(nearby, C0, (1 - tt) / below)
+    w = m.where(nearby, C1 / 2, 2 * t / below / alpha)
     thalf = m.tan(alpha / 2)
     tthalf = thalf * thalf
     belowhalf = 1 + tthalf
@@ -1130,18 +1177,18 @@ def exponential_scalars(m: Any, delta: Components) -> Result:
         - v33_in)))
     )
     lost = m.where(alpha < 8, left, 0) / (2 * alpha)
-    f = m.where(near, C0 * C1, (sine + lost * (1 - versine)) / alpha)
-    g = m.where(near, CC1 / 2, (versine + lost * sine) / xx)
+    f = m.where(nearby, C0 * C1, (sine + lost * (1 - versine)) / alpha)
+    g = m.where(nearby, CC1 / 2, (versine + lost * sine) / xx)
     C01 = 1 + C0
     C2 = CC1 / C01
-    h = m.where(near, (C3 + C1 * C2) / 4, (1 - f) / xx)
+    h = m.where(nearby, (C3 + C1 * C2) / 4, (1 - f) / xx)
     fy = h - g
     gy = f * h - g * g
     CC3 = C3 * C3
     C4 = (4 * C3 - C2 - 2 * (z * CC3)) / (2 * C01)
     c5 = (C5 + C4 + C2 * C3) / 16
     c4 = C3 * (1 + C1) / 8
-    hy = m.where(near, 3 * c5 - c4, (g - 3 * h) / xx)
+    hy = m.where(nearby, 3 * c5 - c4, (g - 3 * h) / xx)
     return s, w, f, g, h, fy, gy, hy
 
 
@@ -1153,7 +1200,7 @@ def nearest(m: Any, c: Any, v: Components, e: Components) -> Result:
     still = ss == 0
     x = v1 * v1 + v2 * v2 + v3 * v3
     resting = x == 0
-    length = m.sqrt(m.where(still, 1 + ss, ss))
+    length = m.sqrt(m.where(still, 1 + ss, ss)) + (ss - ss)
     r = m.sqrt(m.where(resting, 1 + x, x))
     own, = c.unfolded(m, x, r)
     along = m.where(resting, 0, own / r) * (v1 * e1 + v2 * e2 + v3 * e3) / length
@@ -1166,7 +1213,12 @@ def nearest(m: Any, c: Any, v: Components, e: Components) -> Result:
     rn, slopen = c.coefficient_of(m, alpha, sine, e0)
     z0s = m.where(still, e0, length)
     factor = m.where(still, 2 * slopen / z0s, rn / length)
-    return e1 * factor, e2 * factor, e3 * factor, factor * e0, alpha
+    made1 = e1 * factor
+    made2 = e2 * factor
+    made3 = e3 * factor
+    xmade = made1 * made1 + made2 * made2 + made3 * made3
+    inside, = c.inside(m, xmade)
+    return made1 * inside, made2 * inside, made3 * inside, factor * e0, alpha
 
 
 def retract(m: Any, c: Any, v: Components, delta: Components) -> Result:
@@ -1188,10 +1240,13 @@ def retract(m: Any, c: Any, v: Components, delta: Components) -> Result:
     w1, w2, w3, fe, angle = nearest(m, c, (v1, v2, v3), (e0, e1, e2, e3))
     x = w1 * w1 + w2 * w2 + w3 * w3
     hi, = c.inverse_at(m, x, fe, angle)
-    along = hi * (w1 * rho1 + w2 * rho2 + w3 * rho3)
+    shift1 = rho1 / 2
+    shift2 = rho2 / 2
+    shift3 = rho3 / 2
+    along = hi * (w1 * shift1 + w2 * shift2 + w3 * shift3)
     return (
-        w1, w2, w3, (rho1 * fe - (w2 * rho3 - w3 * rho2) + w1 * along) / 2,
-        (rho2 * fe - (w3 * rho1 - w1 * rho3) + w2 * along) / 2, (rho3 * fe - (w1 * rho2 - w2 * rho1) + w3 * along) / 2,
+        w1, w2, w3, shift1 * fe - (w2 * shift3 - w3 * shift2) + w1 * along,
+        shift2 * fe - (w3 * shift1 - w1 * shift3) + w2 * along, shift3 * fe - (w1 * shift2 - w2 * shift1) + w3 * along,
     )
 
 
@@ -1214,10 +1269,13 @@ def body_retract(m: Any, c: Any, v: Components, delta: Components) -> Result:
     w1, w2, w3, fe, angle = nearest(m, c, (v1, v2, v3), (e0, e1, e2, e3))
     x = w1 * w1 + w2 * w2 + w3 * w3
     hi, = c.inverse_at(m, x, fe, angle)
-    along = hi * (w1 * rho1 + w2 * rho2 + w3 * rho3)
+    shift1 = rho1 / 2
+    shift2 = rho2 / 2
+    shift3 = rho3 / 2
+    along = hi * (w1 * shift1 + w2 * shift2 + w3 * shift3)
     return (
-        w1, w2, w3, (rho1 * fe - (w2 * rho3 - w3 * rho2) + w1 * along) / 2,
-        (rho2 * fe - (w3 * rho1 - w1 * rho3) + w2 * along) / 2, (rho3 * fe - (w1 * rho2 - w2 * rho1) + w3 * along) / 2,
+        w1, w2, w3, shift1 * fe - (w2 * shift3 - w3 * shift2) + w1 * along,
+        shift2 * fe - (w3 * shift1 - w1 * shift3) + w2 * along, shift3 * fe - (w1 * shift2 - w2 * shift1) + w3 * along,
     )
 
 
@@ -1240,10 +1298,13 @@ def retract_jacobians(m: Any, c: Any, v: Components, delta: Components) -> Resul
     w1, w2, w3, fe, angle = nearest(m, c, (v1, v2, v3), (e0, e1, e2, e3))
     x = w1 * w1 + w2 * w2 + w3 * w3
     fi, hi, fiy, hiy = c.tangent_inv_at(m, x, fe, angle)
-    along = hi * (w1 * rho1 + w2 * rho2 + w3 * rho3)
+    shift1 = rho1 / 2
+    shift2 = rho2 / 2
+    shift3 = rho3 / 2
+    along = hi * (w1 * shift1 + w2 * shift2 + w3 * shift3)
     back = (
-        tangent_inverse_at(fi, hi, fiy, hiy, (w1, w2, w3, (rho1 * fi - (w2 * rho3 - w3 * rho2) + w1 * along) / 2, (rho2
-        * fi - (w3 * rho1 - w1 * rho3) + w2 * along) / 2, (rho3 * fi - (w1 * rho2 - w2 * rho1) + w3 * along) / 2))
+        tangent_inverse_at(fi, hi, fiy, hiy, (w1, w2, w3, shift1 * fi - (w2 * shift3 - w3 * shift2) + w1 * along, shift2
+        * fi - (w3 * shift1 - w1 * shift3) + w2 * along, shift3 * fi - (w1 * shift2 - w2 * shift1) + w3 * along))
     )
     R = tensor_at(f, g, h, delta)
     T = tangent(m, c, v)
@@ -1263,30 +1324,31 @@ def body_retract_jacobians(m: Any, c: Any, v: Components, delta: Components) -> 
     return retract_jacobians(m, c, (-v1, -v2, -v3, -v1o, -v2o, -v3o), (-d1, -d2, -d3, -d1o, -d2o, -d3o))
 
 
-def logarithm(m: Any, e: Components, rho: Components) -> Result:
-    """Logarithm δ of a displacement, from a positive multiple e of the quaternion of exp(δ).
+def logarithm(m: Any, e: Components, size: Any, rho: Components) -> Result:
+    """Logarithm δ of a displacement, from a positive multiple e, of a given size, of the quaternion of exp(δ).
     The dual part is T⁻¹ ρ.
     """
     e0, e1, e2, e3 = e
     rho1, rho2, rho3 = rho
-    negative = e0 < 0
-    cos = m.where(negative, -e0, e0)
     ss = e1 * e1 + e2 * e2 + e3 * e3
+    sign = m.where(size + e0 / 16 < size, -1, 1)
+    cos = sign * e0
     still = ss == 0
     sin = m.sqrt(m.where(still, cos, ss))
     angle = 2 * m.atan2(sin, cos)
-    gain = m.where(negative, -1, 1) * (m.where(still, 2 * cos, angle) / m.where(still, cos * cos, sin))
-    d1 = e1 * gain
-    d2 = e2 * gain
-    d3 = e3 * gain
+    gain = sign * (m.where(still, 2 * cos, angle) / m.where(still, cos * cos, sin))
+    factor = gain + (ss - ss)
+    d1 = e1 * factor
+    d2 = e2 * factor
+    d3 = e3 * factor
     v11 = d1 * d1
     v22 = d2 * d2
     v33 = d3 * d3
     part = v11 + v22
     x = part + v33
-    fe = gain * e0
-    near = x < 6
-    z = m.where(near, x, x - x) / 4
+    fe = factor * e0
+    nearby = x < 6
+    z = m.where(nearby, x, x - x) / 4
     C7 = (
         (72 - z * ((3603600 - z * (32760 - z * (210 - z * ((93024 - z * (342 - z * ((212520 - z * (506 - z)) / 212520)))
         / 93024)))) / 3603600)) / 72 / 5040
@@ -1295,7 +1357,7 @@ def logarithm(m: Any, e: Components, rho: Components) -> Result:
     C3 = (1 - 6 * (z * C5)) / 6
     C1 = 1 - z * C3
     CC1 = C1 * C1
-    xx = m.where(near, 6 + x, x)
+    xx = m.where(nearby, 6 + x, x)
     alpha = m.sqrt(xx)
     thalf = m.tan(alpha / 2)
     tthalf = thalf * thalf
@@ -1310,36 +1372,40 @@ def logarithm(m: Any, e: Components, rho: Components) -> Result:
         - v33_in)))
     )
     lost = left / (2 * alpha)
-    g = m.where(near, CC1 / 2, (versine + lost * sine) / xx)
+    g = m.where(nearby, CC1 / 2, (versine + lost * sine) / xx)
     C0 = m.sqrt(1 - z * CC1)
     t = m.tan(alpha / 4)
     tt = t * t
     below = 1 + tt
-    s = m.where(near, C0, (1 - tt) / below)
-    w = m.where(near, C1 / 2, 2 * t / below / alpha)
+    s = m.where(nearby, C0, (1 - tt) / below)
+    w = m.where(nearby, C1 / 2, 2 * t / below / alpha)
     fi = s / w
     C01 = 1 + C0
     C2 = CC1 / C01
-    f = m.where(near, C0 * C1, (sine + lost * (1 - versine)) / alpha)
-    h = m.where(near, (C3 + C1 * C2) / 4, (1 - f) / xx)
+    f = m.where(nearby, C0 * C1, (sine + lost * (1 - versine)) / alpha)
+    h = m.where(nearby, (C3 + C1 * C2) / 4, (1 - f) / xx)
     hi = g - fi * h
-    along = hi * (d1 * rho1 + d2 * rho2 + d3 * rho3)
+    shift1 = rho1 / 2
+    shift2 = rho2 / 2
+    shift3 = rho3 / 2
+    along = hi * (d1 * shift1 + d2 * shift2 + d3 * shift3)
     return (
-        d1, d2, d3, (rho1 * fe - (d2 * rho3 - d3 * rho2) + d1 * along) / 2,
-        (rho2 * fe - (d3 * rho1 - d1 * rho3) + d2 * along) / 2, (rho3 * fe - (d1 * rho2 - d2 * rho1) + d3 * along) / 2,
+        d1, d2, d3, shift1 * fe - (d2 * shift3 - d3 * shift2) + d1 * along,
+        shift2 * fe - (d3 * shift1 - d1 * shift3) + d2 * along, shift3 * fe - (d1 * shift2 - d2 * shift1) + d3 * along,
     )
 
 
 def local(m: Any, c: Any, v2: Components, v1: Components) -> Result:
     """Step δ from v1 to v2 in space, exp(δ) = R(v2) R(v1)⁻¹."""
     a1, a2, a3, a1o, a2o, a3o = v1
-    e0_2, e1_2, e2_2, e3_2, _, f_2, g_2, rho1_2, rho2_2, rho3_2 = displacement(m, c, v2)
-    e0_1, e1_1, e2_1, e3_1, _, _, _, rho1_1, rho2_1, rho3_1 = displacement(m, c, (-a1, -a2, -a3, -a1o, -a2o, -a3o))
+    e0_2, e1_2, e2_2, e3_2, size_2, f_2, g_2, rho1_2, rho2_2, rho3_2 = displacement(m, c, v2)
+    e0_1, e1_1, e2_1, e3_1, size_1, _, _, rho1_1, rho2_1, rho3_1 = displacement(m, c, (-a1, -a2, -a3, -a1o, -a2o, -a3o))
     e0, e1, e2, e3, rho1, rho2, rho3 = (
         composed((e0_2, e1_2, e2_2, e3_2), f_2, g_2, v2, (rho1_2, rho2_2, rho3_2), (e0_1, e1_1, e2_1, e3_1), (rho1_1,
         rho2_1, rho3_1))
     )
-    return logarithm(m, (e0, e1, e2, e3), (rho1, rho2, rho3))
+    size = size_2 * size_1
+    return logarithm(m, (e0, e1, e2, e3), size, (rho1, rho2, rho3))
 
 
 def body_local(m: Any, c: Any, v2: Components, v1: Components) -> Result:
@@ -1396,13 +1462,13 @@ def interpolate(m: Any, c: Any, v1: Components, v2: Components, time: Components
     side = m.where(e1_1 * a1 + e2_1 * a2 + e3_1 * a3 < 0, -1, 1)
     ss1 = e1_1 * e1_1 + e2_1 * e2_1 + e3_1 * e3_1
     still1 = ss1 == 0
-    root1 = m.sqrt(m.where(still1, 1 + ss1, ss1))
+    root1 = m.sqrt(m.where(still1, 1 + ss1, ss1)) + (ss1 - ss1)
     sine1 = m.where(apart, m.where(still1, ss1, side * root1), e1_1 * axis1 + e2_1 * axis2 + e3_1 * axis3)
     sign1 = m.where(apart, side, 1)
     half1 = m.atan2(sign1 * sine1, sign1 * e0_1)
     sst = e1 * e1 + e2 * e2 + e3 * e3
     stillt = sst == 0
-    roott = m.sqrt(m.where(stillt, 1 + sst, sst))
+    roott = m.sqrt(m.where(stillt, 1 + sst, sst)) + (sst - sst)
     sinet = m.where(apart, m.where(stillt, sst, side * roott), e1 * axis1 + e2 * axis2 + e3 * axis3)
     halft = m.atan2(sign1 * sinet, sign1 * e0)
     halft_by_2 = 2 * halft
@@ -1414,17 +1480,25 @@ def interpolate(m: Any, c: Any, v1: Components, v2: Components, time: Components
     nosine = m.where(still, 1 + sinet, sinet)
     factor = m.where(still, 2 * slopen / z0s, rn / nosine)
     clear = apart | (m.abs(e0) < m.abs(sinet))
-    v_1 = m.where(clear, e1 * factor, axis1 * rn)
-    v_2 = m.where(clear, e2 * factor, axis2 * rn)
-    v_3 = m.where(clear, e3 * factor, axis3 * rn)
+    made1 = m.where(clear, e1 * factor, axis1 * rn)
+    made2 = m.where(clear, e2 * factor, axis2 * rn)
+    made3 = m.where(clear, e3 * factor, axis3 * rn)
+    xmade = made1 * made1 + made2 * made2 + made3 * made3
+    inside, = c.inside(m, xmade)
+    v_1 = made1 * inside
+    v_2 = made2 * inside
+    v_3 = made3 * inside
     fe = factor * e0
     xw = v_1 * v_1 + v_2 * v_2 + v_3 * v_3
     hi, = c.inverse_at(m, xw, fe, angle)
-    along = hi * (v_1 * rho1 + v_2 * rho2 + v_3 * rho3)
+    shift1 = rho1 / 2
+    shift2 = rho2 / 2
+    shift3 = rho3 / 2
+    along = hi * (v_1 * shift1 + v_2 * shift2 + v_3 * shift3)
     return (
-        v_1, v_2, v_3, (rho1 * fe - (v_2 * rho3 - v_3 * rho2) + v_1 * along) / 2,
-        (rho2 * fe - (v_3 * rho1 - v_1 * rho3) + v_2 * along) / 2,
-        (rho3 * fe - (v_1 * rho2 - v_2 * rho1) + v_3 * along) / 2,
+        v_1, v_2, v_3, shift1 * fe - (v_2 * shift3 - v_3 * shift2) + v_1 * along,
+        shift2 * fe - (v_3 * shift1 - v_1 * shift3) + v_2 * along,
+        shift3 * fe - (v_1 * shift2 - v_2 * shift1) + v_3 * along,
     )
 
 
@@ -1554,6 +1628,7 @@ KERNELS: Mapping[str, Kernel] = {
     "from_exponential": Kernel(from_exponential, (("w", (6,)),), (6,), real=True),
     "turn": Kernel(turn, (("v", (6,)),), (6,), real=True),
     "shadow": Kernel(shadow, (("v", (6,)),), (6,), real=True),
+    "stay": Kernel(stay, (("v", (6,)),), (6,), real=True),
     "identity_jacobian": Kernel(identity_jacobian, (("v", (6,)),), (6, 6), real=True),
     "shadow_jacobian": Kernel(shadow_jacobian, (("v", (6,)),), (6, 6), real=True),
     "principal": Kernel(principal, (("v", (6,)),), (6,), real=True),

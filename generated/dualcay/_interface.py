@@ -171,13 +171,13 @@ class PoseKernels(Kernels):
     def from_pose(self, T: ArrayLike, branch: int = 0, *, axis: int = -1, out: Array | None = None, check: bool | float = False) -> Array:
         r"""Return the vector of a homogeneous matrix.
 
-        The axis at the angle π is chosen so that its first non-zero component is positive.
+        The axis at the angle π is chosen so that its first component that is not 0 up to rounding is positive.
         Branches k ≠ 0 lose digits near the identity, because the axis does. The page Conditioning says how many.
 
         Parameters
         ----------
         T : array, shape (..., 4, 4)
-            [[Q, ρ], [0, 1]]; the last row is read by ``check`` only. Errors are first order in a violation.
+            [[Q, ρ], [0, 1]]; ``check`` reads the last row. NaN or infinity in any entry gives NaN. Errors are first order in a violation.
             Complex T is a TypeError.
         branch : int
             k of ``φ(α + 2kπ) u``, modulo the number of branches; 0 is principal. Anything else is a TypeError.
@@ -373,14 +373,16 @@ class PoseKernels(Kernels):
     ) -> Array:
         r"""Return the vector of a quaternion, CP23 (47), (49).
 
-        q and −q give the same v: the sign with scalar >= 0 is used. If the scalar is 0, the vector part keeps its sign.
+        A quaternion of any norm stands for its normalised form; its square must neither overflow nor underflow.
+        q and −q give the same v: the sign with scalar >= 0 is used. If the scalar is 0 up to rounding, the vector part
+        keeps its sign.
         Branches k ≠ 0 lose digits near the identity, because the axis does. The page Conditioning says how many.
 
         Parameters
         ----------
         q : array, shape (..., 8)
             Unit dual quaternion: real part, then dual part.
-            Errors are first order in a violation of its norm. Complex q is a TypeError.
+            NaN or infinity in any component, or zero, gives NaN. Complex q is a TypeError.
         branch : int
             k of ``φ(α + 2kπ) u``, modulo the number of branches; 0 is principal. Anything else is a TypeError.
         axis : {-1, 0}, component axis of arguments and result
@@ -412,7 +414,7 @@ class PoseKernels(Kernels):
     def from_tensor(self, R: ArrayLike, branch: int = 0, *, axis: int = -1, out: Array | None = None, check: bool | float = False) -> Array:
         r"""Return the vector of a tensor, the inverse of ``tensor``.
 
-        The axis at the angle π is chosen so that its first non-zero component is positive.
+        The axis at the angle π is chosen so that its first component that is not 0 up to rounding is positive.
         Branches k ≠ 0 lose digits near the identity, because the axis does. The page Conditioning says how many.
 
         Parameters

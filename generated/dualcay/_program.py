@@ -10,6 +10,7 @@ and selects without a temporary. For other types masks are booleans.
 from __future__ import annotations
 
 import operator
+import sys
 from collections import deque
 from collections.abc import Callable, Iterable, Iterator, Sequence, Set
 from dataclasses import dataclass
@@ -58,12 +59,22 @@ def equal(a: Array, b: Array, out: Array) -> None:
     np.negative(out, out)
 
 
+COMPARISONS: dict[Function, Function] = {less: np.less, equal: np.equal}
+"""Comparisons on booleans, by the comparisons that set bits."""
+
+
+def truth_bytes(row: Array) -> Array:
+    """Return a view of the lowest byte of each integer of a row, as booleans."""
+    place = 0 if sys.byteorder == "little" else -1
+    return row.view(np.bool_).reshape(*row.shape, row.itemsize)[..., place]
+
+
 def where(mask: Array, a: Array, b: Array, out: Array) -> None:
     """Write a to ``out`` where a boolean mask is true, else b."""
     np.copyto(out, np.where(mask, a, b))
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, eq=False)
 class Program:
     """Recorded program: calls of ``function(*operands, out)`` on rows, in order.
 
@@ -81,14 +92,25 @@ class Program:
 
     def run(self, rows: list[Array]) -> None:
         """Run every call on rows, given up to the masks; outputs must share no memory with arguments."""
-        integer = bits(self.dtype)
-        if integer is not None:
-            rows += [rows[row].view(integer) for row in self.views]
+        rows += self._integer_views(rows)
         for functions, columns in self.runs:
             if len(functions) == 1:
                 functions[0](*columns[0](rows))
             else:
                 deque(map(call, functions, *[column(rows) for column in columns]), maxlen=0)
+
+    def calls(self, rows: list[Array]) -> Iterator[tuple[Function, tuple[Array, ...]]]:
+        """Yield each function with its rows, the operands and ``out``; the given rows are those of `run`."""
+        rows = rows + self._integer_views(rows)
+        for functions, columns in self.runs:
+            if len(functions) == 1:
+                yield functions[0], columns[0](rows)
+            else:
+                yield from zip(functions, zip(*[column(rows) for column in columns], strict=True), strict=True)
+
+    def _integer_views(self, rows: list[Array]) -> list[Array]:
+        integer = bits(self.dtype)
+        return [] if integer is None else [rows[row].view(integer) for row in self.views]
 
     def mask_rows(self, rows: Array) -> Array:
         """Return mask rows of the shape of the given scratch rows; a view of these rows if masks are bits."""

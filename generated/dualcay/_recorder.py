@@ -42,7 +42,7 @@ class Number:
         return self.tape.enter(np.subtract, other, self)
 
     def __mul__(self, other: Any) -> Number:
-        return self.tape.enter(np.multiply, self, other)
+        return self if type(other) is int and other == 1 else self.tape.enter(np.multiply, self, other)
 
     def __truediv__(self, other: Any) -> Number:
         return self.tape.enter(np.divide, self, other)

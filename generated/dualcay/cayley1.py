@@ -129,22 +129,15 @@ def _ray(m: Any, x: Any) -> Result:
     return 1, 1, 1, r, r, 0
 
 
-# v = gain vec q for a unit quaternion q, gain = phi/sin(alpha/2)
-def _gain_unit(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
+# v = gain vec q for a quaternion of this size, size 1: gain = phi/sin(alpha/2)
+def _gain(m: Any, e0: Any, e1: Any, e2: Any, e3: Any, size: Any) -> Result:
     gain = 1 / e0
     return gain,
 
 
-# v = gain vec q for a quaternion q of any size with e0 >= 0
-def _gain_positive(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
-    gain = 1 / e0
-    return gain,
-
-
-# v = gain vec q for a product q of quaternions of size2 and size1
-def _gain_product(m: Any, e0: Any, e1: Any, e2: Any, e3: Any, size2: Any, size1: Any) -> Result:
-    gain = 1 / e0
-    return gain,
+# factor that takes a vector of square x back to the edge; 1 within the chart
+def _inside(m: Any, x: Any) -> Result:
+    return 1,
 
 
 # principal angle, d alpha/d r and sign of the axis, from x, y and the length r of v
@@ -205,11 +198,11 @@ CHART = Chart(
     ),
     functions=by_name(
         _quaternion_scalars, _pose_scalars, _tangent_scalars, _tangent_dot_scalars, _rate_scalars, _inverse_scalars,
-        _inverse_at, _tangent_inv_at, _tangent_inv_scalars, _tangent_inv_dot_scalars, _ray, _gain_unit, _gain_positive,
-        _gain_product, _natural, _unfolded, _reached, _coefficient, _coefficient_of,
+        _inverse_at, _tangent_inv_at, _tangent_inv_scalars, _tangent_inv_dot_scalars, _ray, _gain, _inside, _natural,
+        _unfolded, _reached, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="1fd09a4fc0a63807",
+    programs="c459c4bb4612901b",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -196,39 +196,25 @@ def _tangent_inv_dot_scalars(m: Any, x: Any) -> Result:
 # a/b = p/q
 def _ray(m: Any, x: Any) -> Result:
     p, q, _, f, g, h = _p_to_h(m, x)
-    return p, q, 1, f, g, h
+    one = x - x + 1
+    return p, q, one, f, g, h
 
 
-# v = gain vec q for a unit quaternion q, gain = phi/sin(alpha/2)
-def _gain_unit(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
-    negative = e0 < 0
-    cos = m.where(negative, -e0, e0)
-    ss = e1 * e1 + e2 * e2 + e3 * e3
-    still = ss == 0
-    sin = m.sqrt(m.where(still, cos, ss))
-    gain = m.where(negative, -1, 1) * (m.where(still, 1, m.tan(m.atan2(sin, cos) / 5)) / m.where(still, 5 * cos, sin))
-    return gain,
-
-
-# v = gain vec q for a quaternion q of any size with e0 >= 0
-def _gain_positive(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
-    ss = e1 * e1 + e2 * e2 + e3 * e3
-    still = ss == 0
-    sin = m.sqrt(m.where(still, e0, ss))
-    gain = m.where(still, 1, m.tan(m.atan2(sin, e0) / 5)) / m.where(still, 5 * e0, sin)
-    return gain,
-
-
-# v = gain vec q for a product q of quaternions of size2 and size1
-def _gain_product(m: Any, e0: Any, e1: Any, e2: Any, e3: Any, size2: Any, size1: Any) -> Result:
-    negative = e0 < 0
-    cos = m.where(negative, -e0, e0)
+# v = gain vec q for a quaternion of this size, size 1: gain = phi/sin(alpha/2)
+def _gain(m: Any, e0: Any, e1: Any, e2: Any, e3: Any, size: Any) -> Result:
+    sign = m.where(size + e0 / 16 < size, -1, 1)
+    cos = sign * e0
     ss = e1 * e1 + e2 * e2 + e3 * e3
     still = ss == 0
     sin = m.sqrt(m.where(still, cos, ss))
     sinq = ss / sin
-    gain = m.where(negative, -1, 1) * (m.where(still, 1, m.tan(m.atan2(sinq, cos) / 5)) / m.where(still, 5 * cos, sinq))
+    gain = sign * (m.where(still, 1, m.tan(m.atan2(sinq, cos) / 5)) / m.where(still, 5 * cos, sinq))
     return gain,
+
+
+# factor that takes a vector of square x back to the edge; 1 within the chart
+def _inside(m: Any, x: Any) -> Result:
+    return 1,
 
 
 # sign of the principal axis along v, from the length r of v and y, the product of v and v°
@@ -240,7 +226,7 @@ def _direction(m: Any, x: Any, y: Any, r: Any) -> Result:
     one = either - either + 1
     qneg = q < 0
     kept = m.where(qneg, 0, rq)
-    qp = m.where(kept + p / 16 < kept, -q, q)
+    qp = m.where(kept + p / 64 < kept, -q, q)
     sign = one * m.where((qp < 0) | (q == 0) & (y < 0), -1, 1)
     return sign,
 
@@ -254,7 +240,7 @@ def _natural(m: Any, x: Any, y: Any, r: Any) -> Result:
     one = either - either + 1
     qneg = q < 0
     kept = m.where(qneg, 0, rq)
-    qp = m.where(kept + p / 16 < kept, -q, q)
+    qp = m.where(kept + p / 64 < kept, -q, q)
     sign = one * m.where((qp < 0) | (q == 0) & (y < 0), -1, 1)
     angle = 2 * m.atan2(rq * one, m.abs(p))
     slope = 10 / (1 + x)
@@ -289,13 +275,15 @@ def _turned(m: Any, r: Any, cos: Any, sin: Any) -> Result:
     return rk, slope, bend
 
 
-# truth of x > limit, beyond the principal branch, and the turn back
+# truth of x > limit, beyond the principal branch, x or the limit, and the turn back
 def _beyond(m: Any, x: Any, limit1: Any, cos1: Any, sin1: Any, limit2: Any, cos2: Any, sin2: Any) -> Result:
-    beyond1 = limit1 < limit1 + (x - limit1) / 16
+    beside1 = limit1 + (x - limit1) / 64
+    beyond1 = limit1 < beside1
     beyond2 = limit2 < x
     cosine2 = m.where(beyond2, cos2, cos1)
     sine2 = m.where(beyond2, sin2, sin1)
-    return beyond1, cosine2, sine2
+    place = m.where(beyond1, x, beside1)
+    return beyond1, place, cosine2, sine2
 
 
 # r = phi(alpha) and phi'
@@ -341,11 +329,11 @@ CHART = Chart(
     ),
     functions=by_name(
         _quaternion_scalars, _pose_scalars, _tangent_scalars, _tangent_dot_scalars, _rate_scalars, _inverse_scalars,
-        _inverse_at, _tangent_inv_at, _tangent_inv_scalars, _tangent_inv_dot_scalars, _ray, _gain_unit, _gain_positive,
-        _gain_product, _direction, _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _coefficient_of,
+        _inverse_at, _tangent_inv_at, _tangent_inv_scalars, _tangent_inv_dot_scalars, _ray, _gain, _inside, _direction,
+        _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="72da9c31b7a32ba6",
+    programs="657bddce8ee645f3",
 )
 
 KERNELS = PoseKernels(CHART)

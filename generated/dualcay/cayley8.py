@@ -209,36 +209,20 @@ def _ray(m: Any, x: Any) -> Result:
     return p, q, root, f, g, h
 
 
-# v = gain vec q for a unit quaternion q, gain = phi/sin(alpha/2)
-def _gain_unit(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
-    negative = e0 < 0
-    cos = m.where(negative, -e0, e0)
-    cos2 = m.sqrt((1 + cos) / 2)
-    cos3 = m.sqrt((1 + cos2) / 2)
-    gain = m.where(negative, -1, 1) / (2 * cos2 * (2 * cos3) * (1 + cos3))
-    return gain,
-
-
-# v = gain vec q for a quaternion q of any size with e0 >= 0
-def _gain_positive(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
-    size = m.sqrt(e0 * e0 + (e1 * e1 + e2 * e2 + e3 * e3))
-    cos1 = e0 / size
-    cos2 = m.sqrt((1 + cos1) / 2)
-    cos3 = m.sqrt((1 + cos2) / 2)
-    gain = 1 / (2 * cos2 * (2 * cos3) * (1 + cos3) * size)
-    return gain,
-
-
-# v = gain vec q for a product q of quaternions of size2 and size1
-def _gain_product(m: Any, e0: Any, e1: Any, e2: Any, e3: Any, size2: Any, size1: Any) -> Result:
-    size = size2 * size1
-    negative = e0 < 0
-    cos = m.where(negative, -e0, e0)
+# v = gain vec q for a quaternion of this size, size 1: gain = phi/sin(alpha/2)
+def _gain(m: Any, e0: Any, e1: Any, e2: Any, e3: Any, size: Any) -> Result:
+    sign = m.where(size + e0 / 16 < size, -1, 1)
+    cos = sign * e0
     cos1 = cos / size
     cos2 = m.sqrt((1 + cos1) / 2)
     cos3 = m.sqrt((1 + cos2) / 2)
-    gain = m.where(negative, -1, 1) / (2 * cos2 * (2 * cos3) * (1 + cos3) * size)
+    gain = sign / (2 * cos2 * (2 * cos3) * (1 + cos3) * size)
     return gain,
+
+
+# factor that takes a vector of square x back to the edge; 1 within the chart
+def _inside(m: Any, x: Any) -> Result:
+    return 1,
 
 
 # sign of the principal axis along v, from the length r of v and y, the product of v and v°
@@ -250,7 +234,7 @@ def _direction(m: Any, x: Any, y: Any, r: Any) -> Result:
     one = either - either + 1
     qneg = q < 0
     kept = m.where(qneg, 0, rq)
-    qp = m.where(kept + p / 16 < kept, -q, q)
+    qp = m.where(kept + p / 64 < kept, -q, q)
     sign = one * m.where((qp < 0) | (q == 0) & (y < 0), -1, 1)
     return sign,
 
@@ -264,7 +248,7 @@ def _natural(m: Any, x: Any, y: Any, r: Any) -> Result:
     one = either - either + 1
     qneg = q < 0
     kept = m.where(qneg, 0, rq)
-    qp = m.where(kept + p / 16 < kept, -q, q)
+    qp = m.where(kept + p / 64 < kept, -q, q)
     sign = one * m.where((qp < 0) | (q == 0) & (y < 0), -1, 1)
     angle = 2 * m.atan2(rq * one, m.abs(p))
     slope = 16 / (1 + x)
@@ -299,9 +283,10 @@ def _turned(m: Any, r: Any, cos: Any, sin: Any) -> Result:
     return rk, slope, bend
 
 
-# truth of x > limit, beyond the principal branch, and the turn back
+# truth of x > limit, beyond the principal branch, x or the limit, and the turn back
 def _beyond(m: Any, x: Any, limit1: Any, cos1: Any, sin1: Any, limit2: Any, cos2: Any, sin2: Any, limit3: Any, cos3: Any, sin3: Any, limit4: Any, cos4: Any, sin4: Any) -> Result:
-    beyond1 = limit1 < limit1 + (x - limit1) / 16
+    beside1 = limit1 + (x - limit1) / 64
+    beyond1 = limit1 < beside1
     beyond2 = limit2 < x
     beyond3 = limit3 < x
     beyond4 = limit4 < x
@@ -311,7 +296,8 @@ def _beyond(m: Any, x: Any, limit1: Any, cos1: Any, sin1: Any, limit2: Any, cos2
     sine3 = m.where(beyond3, sin3, sine2)
     cosine4 = m.where(beyond4, cos4, cosine3)
     sine4 = m.where(beyond4, sin4, sine3)
-    return beyond1, cosine4, sine4
+    place = m.where(beyond1, x, beside1)
+    return beyond1, place, cosine4, sine4
 
 
 # r = phi(alpha) and phi'
@@ -366,11 +352,11 @@ CHART = Chart(
     ),
     functions=by_name(
         _quaternion_scalars, _pose_scalars, _tangent_scalars, _tangent_dot_scalars, _rate_scalars, _inverse_scalars,
-        _inverse_at, _tangent_inv_at, _tangent_inv_scalars, _tangent_inv_dot_scalars, _ray, _gain_unit, _gain_positive,
-        _gain_product, _direction, _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _coefficient_of,
+        _inverse_at, _tangent_inv_at, _tangent_inv_scalars, _tangent_inv_dot_scalars, _ray, _gain, _inside, _direction,
+        _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="51d8a783f9627cce",
+    programs="80ca370a20bf4236",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -36,10 +36,10 @@ from ._kernel import Result
 ORDER = 1
 
 
-# steps that 13 programs share
-def _near_to_alpha(m: Any, x: Any) -> Result:
-    near = x < 6
-    z = m.where(near, x, x - x) / 4
+# steps that 12 programs share
+def _nearby_to_alpha(m: Any, x: Any) -> Result:
+    nearby = x < 6
+    z = m.where(nearby, x, x - x) / 4
     C7 = (
         (72 - z * ((3603600 - z * (32760 - z * (210 - z * ((93024 - z * (342 - z * ((212520 - z * (506 - z)) / 212520)))
         / 93024)))) / 3603600)) / 72 / 5040
@@ -49,13 +49,13 @@ def _near_to_alpha(m: Any, x: Any) -> Result:
     C1 = 1 - z * C3
     CC1 = C1 * C1
     C0 = m.sqrt(1 - z * CC1)
-    xx = m.where(near, 6 + x, x)
+    xx = m.where(nearby, 6 + x, x)
     alpha = m.sqrt(xx)
-    return near, z, C7, C5, C3, C1, CC1, C0, xx, alpha
+    return nearby, z, C7, C5, C3, C1, CC1, C0, xx, alpha
 
 
 # steps that 7 programs share
-def _C01_to_h(m: Any, C0: Any, CC1: Any, C1: Any, C3: Any, alpha: Any, xx: Any, near: Any) -> Result:
+def _C01_to_h(m: Any, C0: Any, CC1: Any, C1: Any, C3: Any, alpha: Any, xx: Any, nearby: Any) -> Result:
     C01 = 1 + C0
     C2 = CC1 / C01
     thalf = m.tan(alpha / 2)
@@ -66,23 +66,23 @@ def _C01_to_h(m: Any, C0: Any, CC1: Any, C1: Any, C3: Any, alpha: Any, xx: Any, 
     beside = alpha - 4
     left = xx - 16 - 8 * beside - beside * beside
     lost = m.where(alpha < 8, left, 0) / (2 * alpha)
-    f = m.where(near, C0 * C1, (sine + lost * (1 - versine)) / alpha)
-    h = m.where(near, (C3 + C1 * C2) / 4, (1 - f) / xx)
+    f = m.where(nearby, C0 * C1, (sine + lost * (1 - versine)) / alpha)
+    h = m.where(nearby, (C3 + C1 * C2) / 4, (1 - f) / xx)
     return C01, C2, sine, versine, lost, f, h
 
 
-# steps that 5 programs share
-def _s_and_w(m: Any, alpha: Any, near: Any, C0: Any, C1: Any) -> Result:
+# steps that 8 programs share
+def _s_and_w(m: Any, alpha: Any, nearby: Any, C0: Any, C1: Any) -> Result:
     t = m.tan(alpha / 4)
     tt = t * t
     below = 1 + tt
-    s = m.where(near, C0, (1 - tt) / below)
-    w = m.where(near, C1 / 2, 2 * t / below / alpha)
+    s = m.where(nearby, C0, (1 - tt) / below)
+    w = m.where(nearby, C1 / 2, 2 * t / below / alpha)
     return s, w
 
 
 # steps that 3 programs share
-def _f_to_h(m: Any, C0: Any, C1: Any, alpha: Any, xx: Any, x: Any, part: Any, v11: Any, v22: Any, v33: Any, near: Any, CC1: Any, C3: Any) -> Result:
+def _f_to_h(m: Any, C0: Any, C1: Any, alpha: Any, xx: Any, x: Any, part: Any, v11: Any, v22: Any, v33: Any, nearby: Any, CC1: Any, C3: Any) -> Result:
     thalf = m.tan(alpha / 2)
     tthalf = thalf * thalf
     belowhalf = 1 + tthalf
@@ -96,24 +96,31 @@ def _f_to_h(m: Any, C0: Any, C1: Any, alpha: Any, xx: Any, x: Any, part: Any, v1
         - v33_in)))
     )
     lost = m.where(alpha < 8, left, 0) / (2 * alpha)
-    f = m.where(near, C0 * C1, (sine + lost * (1 - versine)) / alpha)
-    g = m.where(near, CC1 / 2, (versine + lost * sine) / xx)
+    f = m.where(nearby, C0 * C1, (sine + lost * (1 - versine)) / alpha)
+    g = m.where(nearby, CC1 / 2, (versine + lost * sine) / xx)
     C01 = 1 + C0
     C2 = CC1 / C01
-    h = m.where(near, (C3 + C1 * C2) / 4, (1 - f) / xx)
+    h = m.where(nearby, (C3 + C1 * C2) / 4, (1 - f) / xx)
     return f, g, C01, C2, h
+
+
+# steps that 5 programs share
+def _gy_to_hy(m: Any, f: Any, h: Any, g: Any, C3: Any, C2: Any, z: Any, C01: Any, C5: Any, C1: Any, xx: Any, nearby: Any) -> Result:
+    gy = f * h - g * g
+    CC3 = C3 * C3
+    C4 = (4 * C3 - C2 - 2 * (z * CC3)) / (2 * C01)
+    c5 = (C5 + C4 + C2 * C3) / 16
+    c4 = C3 * (1 + C1) / 8
+    hy = m.where(nearby, 3 * c5 - c4, (g - 3 * h) / xx)
+    return gy, CC3, C4, c5, hy
 
 
 # unit quaternion q = s + w v; slopes sy = 2 ds/dx, wy = 2 dw/dx
 def _quaternion_scalars(m: Any, x: Any) -> Result:
-    near, _, _, _, C3, C1, CC1, C0, xx, alpha = _near_to_alpha(m, x)
-    t = m.tan(alpha / 4)
-    tt = t * t
-    below = 1 + tt
-    s = m.where(near, C0, (1 - tt) / below)
-    w = m.where(near, C1 / 2, 2 * t / below / alpha)
+    nearby, _, _, _, C3, C1, CC1, C0, xx, alpha = _nearby_to_alpha(m, x)
+    s, w = _s_and_w(m, alpha, nearby, C0, C1)
     sy = -(w / 2)
-    _, _, _, _, _, _, h = _C01_to_h(m, C0, CC1, C1, C3, alpha, xx, near)
+    _, _, _, _, _, _, h = _C01_to_h(m, C0, CC1, C1, C3, alpha, xx, nearby)
     ww = w * w
     wy = s * h / 2 - w * ww
     return s, w, sy, wy
@@ -123,8 +130,8 @@ def _quaternion_scalars(m: Any, x: Any) -> Result:
 def _pose_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     part = v11 + v22
     x = part + v33
-    near, _, _, _, C3, C1, CC1, C0, xx, alpha = _near_to_alpha(m, x)
-    f, g, _, _, h = _f_to_h(m, C0, C1, alpha, xx, x, part, v11, v22, v33, near, CC1, C3)
+    nearby, _, _, _, C3, C1, CC1, C0, xx, alpha = _nearby_to_alpha(m, x)
+    f, g, _, _, h = _f_to_h(m, C0, C1, alpha, xx, x, part, v11, v22, v33, nearby, CC1, C3)
     return f, g, h
 
 
@@ -132,15 +139,10 @@ def _pose_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
 def _tangent_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     part = v11 + v22
     x = part + v33
-    near, z, _, C5, C3, C1, CC1, C0, xx, alpha = _near_to_alpha(m, x)
-    f, g, C01, C2, h = _f_to_h(m, C0, C1, alpha, xx, x, part, v11, v22, v33, near, CC1, C3)
+    nearby, z, _, C5, C3, C1, CC1, C0, xx, alpha = _nearby_to_alpha(m, x)
+    f, g, C01, C2, h = _f_to_h(m, C0, C1, alpha, xx, x, part, v11, v22, v33, nearby, CC1, C3)
     fy = h - g
-    gy = f * h - g * g
-    CC3 = C3 * C3
-    C4 = (4 * C3 - C2 - 2 * (z * CC3)) / (2 * C01)
-    c5 = (C5 + C4 + C2 * C3) / 16
-    c4 = C3 * (1 + C1) / 8
-    hy = m.where(near, 3 * c5 - c4, (g - 3 * h) / xx)
+    gy, _, _, _, hy = _gy_to_hy(m, f, h, g, C3, C2, z, C01, C5, C1, xx, nearby)
     return f, g, h, fy, gy, hy
 
 
@@ -148,20 +150,15 @@ def _tangent_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
 def _tangent_dot_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     part = v11 + v22
     x = part + v33
-    near, z, C7, C5, C3, C1, CC1, C0, xx, alpha = _near_to_alpha(m, x)
-    f, g, C01, C2, h = _f_to_h(m, C0, C1, alpha, xx, x, part, v11, v22, v33, near, CC1, C3)
+    nearby, z, C7, C5, C3, C1, CC1, C0, xx, alpha = _nearby_to_alpha(m, x)
+    f, g, C01, C2, h = _f_to_h(m, C0, C1, alpha, xx, x, part, v11, v22, v33, nearby, CC1, C3)
     fy = h - g
-    gy = f * h - g * g
-    CC3 = C3 * C3
-    C4 = (4 * C3 - C2 - 2 * (z * CC3)) / (2 * C01)
-    c5 = (C5 + C4 + C2 * C3) / 16
-    c4 = C3 * (1 + C1) / 8
-    hy = m.where(near, 3 * c5 - c4, (g - 3 * h) / xx)
+    gy, CC3, C4, c5, hy = _gy_to_hy(m, f, h, g, C3, C2, z, C01, C5, C1, xx, nearby)
     fyy = hy - gy
     gyy = fy * h + f * hy - 2 * (g * gy)
     C6 = (4 * C5 + 2 * CC3 - C4 - 2 * (C2 * C4)) / 4
     c6 = (2 * C5 + CC3) / 32
-    hyy = m.where(near, 15 * ((C7 + C6 + C3 * C4 + C5 / 2) / 64) - 7 * c6 + c5, (gy - 5 * hy) / xx)
+    hyy = m.where(nearby, 15 * ((C7 + C6 + C3 * C4 + C5 / 2) / 64) - 7 * c6 + c5, (gy - 5 * hy) / xx)
     return f, g, h, fy, gy, hy, fyy, gyy, hyy
 
 
@@ -172,14 +169,10 @@ def _rate_scalars(m: Any, x: Any) -> Result:
 
 # T^-1 = (fi I - skew(v) + hi v(x)v)/2
 def _inverse_scalars(m: Any, x: Any, fe: Any) -> Result:
-    near, _, _, _, C3, C1, CC1, C0, xx, alpha = _near_to_alpha(m, x)
-    _, _, sine, versine, lost, _, h = _C01_to_h(m, C0, CC1, C1, C3, alpha, xx, near)
-    g = m.where(near, CC1 / 2, (versine + lost * sine) / xx)
-    t = m.tan(alpha / 4)
-    tt = t * t
-    below = 1 + tt
-    s = m.where(near, C0, (1 - tt) / below)
-    w = m.where(near, C1 / 2, 2 * t / below / alpha)
+    nearby, _, _, _, C3, C1, CC1, C0, xx, alpha = _nearby_to_alpha(m, x)
+    _, _, sine, versine, lost, _, h = _C01_to_h(m, C0, CC1, C1, C3, alpha, xx, nearby)
+    g = m.where(nearby, CC1 / 2, (versine + lost * sine) / xx)
+    s, w = _s_and_w(m, alpha, nearby, C0, C1)
     fi = s / w
     hi = g - fi * h
     return fe, hi
@@ -187,69 +180,54 @@ def _inverse_scalars(m: Any, x: Any, fe: Any) -> Result:
 
 # hi of T^-1 at a known angle
 def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
-    near, _, _, _, C3, C1, CC1, C0, xx, alpha = _near_to_alpha(m, x)
-    _, _, sine, versine, lost, _, h = _C01_to_h(m, C0, CC1, C1, C3, alpha, xx, near)
-    g = m.where(near, CC1 / 2, (versine + lost * sine) / xx)
+    nearby, _, _, _, C3, C1, CC1, C0, xx, alpha = _nearby_to_alpha(m, x)
+    _, _, sine, versine, lost, _, h = _C01_to_h(m, C0, CC1, C1, C3, alpha, xx, nearby)
+    g = m.where(nearby, CC1 / 2, (versine + lost * sine) / xx)
     hi = g - fe * h
     return hi,
 
 
 # fi, hi of T^-1 at a known angle, with slopes fiy = 2 dfi/dx, hiy
 def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
-    near, z, _, C5, C3, C1, CC1, C0, xx, alpha = _near_to_alpha(m, x)
-    C01, C2, sine, versine, lost, f, h = _C01_to_h(m, C0, CC1, C1, C3, alpha, xx, near)
-    g = m.where(near, CC1 / 2, (versine + lost * sine) / xx)
+    nearby, z, _, C5, C3, C1, CC1, C0, xx, alpha = _nearby_to_alpha(m, x)
+    C01, C2, sine, versine, lost, f, h = _C01_to_h(m, C0, CC1, C1, C3, alpha, xx, nearby)
+    g = m.where(nearby, CC1 / 2, (versine + lost * sine) / xx)
     hi = g - fe * h
     fiy = -(h / g)
-    gy = f * h - g * g
-    CC3 = C3 * C3
-    C4 = (4 * C3 - C2 - 2 * (z * CC3)) / (2 * C01)
-    c5 = (C5 + C4 + C2 * C3) / 16
-    c4 = C3 * (1 + C1) / 8
-    hy = m.where(near, 3 * c5 - c4, (g - 3 * h) / xx)
+    gy, _, _, _, hy = _gy_to_hy(m, f, h, g, C3, C2, z, C01, C5, C1, xx, nearby)
     hiy = gy - fiy * h - fe * hy
     return fe, hi, fiy, hiy
 
 
 # fi, hi of T^-1 with slopes fiy = 2 dfi/dx, hiy
 def _tangent_inv_scalars(m: Any, x: Any) -> Result:
-    near, z, _, C5, C3, C1, CC1, C0, xx, alpha = _near_to_alpha(m, x)
-    s, w = _s_and_w(m, alpha, near, C0, C1)
+    nearby, z, _, C5, C3, C1, CC1, C0, xx, alpha = _nearby_to_alpha(m, x)
+    s, w = _s_and_w(m, alpha, nearby, C0, C1)
     fi = s / w
-    C01, C2, sine, versine, lost, f, h = _C01_to_h(m, C0, CC1, C1, C3, alpha, xx, near)
-    g = m.where(near, CC1 / 2, (versine + lost * sine) / xx)
+    C01, C2, sine, versine, lost, f, h = _C01_to_h(m, C0, CC1, C1, C3, alpha, xx, nearby)
+    g = m.where(nearby, CC1 / 2, (versine + lost * sine) / xx)
     hi = g - fi * h
     fiy = -(h / g)
-    gy = f * h - g * g
-    CC3 = C3 * C3
-    C4 = (4 * C3 - C2 - 2 * (z * CC3)) / (2 * C01)
-    c5 = (C5 + C4 + C2 * C3) / 16
-    c4 = C3 * (1 + C1) / 8
-    hy = m.where(near, 3 * c5 - c4, (g - 3 * h) / xx)
+    gy, _, _, _, hy = _gy_to_hy(m, f, h, g, C3, C2, z, C01, C5, C1, xx, nearby)
     hiy = gy - fiy * h - fi * hy
     return fi, hi, fiy, hiy
 
 
 # fi, hi of T^-1 with slopes fiy, hiy and second slopes fiyy, hiyy
 def _tangent_inv_dot_scalars(m: Any, x: Any) -> Result:
-    near, z, C7, C5, C3, C1, CC1, C0, xx, alpha = _near_to_alpha(m, x)
-    s, w = _s_and_w(m, alpha, near, C0, C1)
+    nearby, z, C7, C5, C3, C1, CC1, C0, xx, alpha = _nearby_to_alpha(m, x)
+    s, w = _s_and_w(m, alpha, nearby, C0, C1)
     fi = s / w
-    C01, C2, sine, versine, lost, f, h = _C01_to_h(m, C0, CC1, C1, C3, alpha, xx, near)
-    g = m.where(near, CC1 / 2, (versine + lost * sine) / xx)
+    C01, C2, sine, versine, lost, f, h = _C01_to_h(m, C0, CC1, C1, C3, alpha, xx, nearby)
+    g = m.where(nearby, CC1 / 2, (versine + lost * sine) / xx)
     hi = g - fi * h
     fiy = -(h / g)
-    gy = f * h - g * g
-    CC3 = C3 * C3
-    C4 = (4 * C3 - C2 - 2 * (z * CC3)) / (2 * C01)
-    c5 = (C5 + C4 + C2 * C3) / 16
-    c4 = C3 * (1 + C1) / 8
-    hy = m.where(near, 3 * c5 - c4, (g - 3 * h) / xx)
+    gy, CC3, C4, c5, hy = _gy_to_hy(m, f, h, g, C3, C2, z, C01, C5, C1, xx, nearby)
     hiy = gy - fiy * h - fi * hy
     fiyy = -((hy + fiy * gy) / g)
     C6 = (4 * C5 + 2 * CC3 - C4 - 2 * (C2 * C4)) / 4
     c6 = (2 * C5 + CC3) / 32
-    hyy = m.where(near, 15 * ((C7 + C6 + C3 * C4 + C5 / 2) / 64) - 7 * c6 + c5, (gy - 5 * hy) / xx)
+    hyy = m.where(nearby, 15 * ((C7 + C6 + C3 * C4 + C5 / 2) / 64) - 7 * c6 + c5, (gy - 5 * hy) / xx)
     fy = h - g
     gyy = fy * h + f * hy - 2 * (g * gy)
     hiyy = gyy - (fiyy * h + 2 * (fiy * hy) + fi * hyy)
@@ -258,56 +236,49 @@ def _tangent_inv_dot_scalars(m: Any, x: Any) -> Result:
 
 # a + b v = size q for the unit quaternion q, size > 0, and f, g, h of R and T
 def _ray(m: Any, x: Any) -> Result:
-    near, _, _, _, C3, C1, CC1, C0, xx, alpha = _near_to_alpha(m, x)
-    t = m.tan(alpha / 4)
-    tt = t * t
-    below = 1 + tt
-    s = m.where(near, C0, (1 - tt) / below)
-    w = m.where(near, C1 / 2, 2 * t / below / alpha)
-    _, _, sine, versine, lost, f, h = _C01_to_h(m, C0, CC1, C1, C3, alpha, xx, near)
-    g = m.where(near, CC1 / 2, (versine + lost * sine) / xx)
-    return s, w, 1, f, g, h
+    nearby = x < 6
+    zero = x - x
+    z = m.where(nearby, x, zero) / 4
+    C7 = (
+        (72 - z * ((3603600 - z * (32760 - z * (210 - z * ((93024 - z * (342 - z * ((212520 - z * (506 - z)) / 212520)))
+        / 93024)))) / 3603600)) / 72 / 5040
+    )
+    C5 = (1 - 120 * (z * C7)) / 120
+    C3 = (1 - 6 * (z * C5)) / 6
+    C1 = 1 - z * C3
+    CC1 = C1 * C1
+    C0 = m.sqrt(1 - z * CC1)
+    xx = m.where(nearby, 6 + x, x)
+    alpha = m.sqrt(xx)
+    s, w = _s_and_w(m, alpha, nearby, C0, C1)
+    _, _, sine, versine, lost, f, h = _C01_to_h(m, C0, CC1, C1, C3, alpha, xx, nearby)
+    g = m.where(nearby, CC1 / 2, (versine + lost * sine) / xx)
+    one = zero + 1
+    return s, w, one, f, g, h
 
 
-# v = gain vec q for a unit quaternion q, gain = phi/sin(alpha/2)
-def _gain_unit(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
-    negative = e0 < 0
-    cos = m.where(negative, -e0, e0)
+# v = gain vec q for a quaternion of this size, size 1: gain = phi/sin(alpha/2)
+def _gain(m: Any, e0: Any, e1: Any, e2: Any, e3: Any, size: Any) -> Result:
+    sign = m.where(size + e0 / 16 < size, -1, 1)
+    cos = sign * e0
     ss = e1 * e1 + e2 * e2 + e3 * e3
     still = ss == 0
     sin = m.sqrt(m.where(still, cos, ss))
     angle = 2 * m.atan2(sin, cos)
-    gain = m.where(negative, -1, 1) * (m.where(still, 2 * cos, angle) / m.where(still, cos * cos, sin))
+    gain = sign * (m.where(still, 2 * cos, angle) / m.where(still, cos * cos, sin))
     return gain,
 
 
-# v = gain vec q for a quaternion q of any size with e0 >= 0
-def _gain_positive(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
-    ss = e1 * e1 + e2 * e2 + e3 * e3
-    still = ss == 0
-    sin = m.sqrt(m.where(still, e0, ss))
-    angle = 2 * m.atan2(sin, e0)
-    gain = m.where(still, 2 * e0, angle) / m.where(still, e0 * e0, sin)
-    return gain,
-
-
-# v = gain vec q for a product q of quaternions of size2 and size1
-def _gain_product(m: Any, e0: Any, e1: Any, e2: Any, e3: Any, size2: Any, size1: Any) -> Result:
-    negative = e0 < 0
-    cos = m.where(negative, -e0, e0)
-    ss = e1 * e1 + e2 * e2 + e3 * e3
-    still = ss == 0
-    sin = m.sqrt(m.where(still, cos, ss))
-    angle = 2 * m.atan2(sin, cos)
-    gain = m.where(negative, -1, 1) * (m.where(still, 2 * cos, angle) / m.where(still, cos * cos, sin))
-    return gain,
+# factor that takes a vector of square x back to the edge; 1 within the chart
+def _inside(m: Any, x: Any) -> Result:
+    return 1,
 
 
 # sign of the principal axis along v, from the length r of v and y, the product of v and v°
 def _direction(m: Any, x: Any, y: Any, r: Any) -> Result:
-    near, _, _, _, _, C1, _, C0, _, alpha = _near_to_alpha(m, x)
-    s, w = _s_and_w(m, alpha, near, C0, C1)
-    kept = m.where(w < 0, 0, 16)
+    nearby, _, _, _, _, C1, _, C0, _, alpha = _nearby_to_alpha(m, x)
+    s, w = _s_and_w(m, alpha, nearby, C0, C1)
+    kept = m.where(w < 0, 0, 64)
     turned = m.where(kept + s < kept, -w, w)
     one = s - s + 1
     sign = one * m.where((turned < 0) | (w == 0) & (y < 0), -1, 1)
@@ -316,9 +287,9 @@ def _direction(m: Any, x: Any, y: Any, r: Any) -> Result:
 
 # principal angle, d alpha/d r and sign of the axis, from x, y and the length r of v
 def _natural(m: Any, x: Any, y: Any, r: Any) -> Result:
-    near, _, _, _, _, C1, _, C0, _, alpha = _near_to_alpha(m, x)
-    s, w = _s_and_w(m, alpha, near, C0, C1)
-    kept = m.where(w < 0, 0, 16)
+    nearby, _, _, _, _, C1, _, C0, _, alpha = _nearby_to_alpha(m, x)
+    s, w = _s_and_w(m, alpha, nearby, C0, C1)
+    kept = m.where(w < 0, 0, 64)
     turned = m.where(kept + s < kept, -w, w)
     one = s - s + 1
     sign = one * m.where((turned < 0) | (w == 0) & (y < 0), -1, 1)
@@ -338,20 +309,23 @@ def _reached(m: Any, alpha: Any) -> Result:
 
 # coefficient rk of the vector rk u on another branch of r u, drk/dr and d²rk/dr²
 def _turned(m: Any, r: Any, cos: Any, sin: Any) -> Result:
-    alphak = r + sin
+    alphak = r + sin + cos * sin
     return alphak, 1, 0
 
 
-# truth of x > limit, beyond the principal branch, and the turn back
+# truth of x > limit, beyond the principal branch, x or the limit, and the turn back
 def _beyond(m: Any, x: Any, limit1: Any, cos1: Any, sin1: Any) -> Result:
-    beyond1 = limit1 < limit1 + (x - limit1) / 16
-    rx = m.sqrt(x)
-    near, _, _, _, _, C1, _, C0, _, alpha = _near_to_alpha(m, x)
-    s, w = _s_and_w(m, alpha, near, C0, C1)
+    beside1 = limit1 + (x - limit1) / 64
+    beyond1 = limit1 < beside1
+    place = m.where(beyond1, x, beside1)
+    rx = m.sqrt(place)
+    nearby, _, _, _, _, C1, _, C0, _, alpha = _nearby_to_alpha(m, x)
+    s, w = _s_and_w(m, alpha, nearby, C0, C1)
     sine = w * rx
     side = m.where(s < 0, -1, 1)
-    back = 2 * m.atan2(side * sine, side * s) - rx
-    return beyond1, cos1, back
+    back = -rx
+    share = 2 * m.atan2(side * sine, side * s) / back
+    return beyond1, place, share, back
 
 
 # r = phi(alpha) and phi'
@@ -370,21 +344,21 @@ CHART = Chart(
     singular_angles=(2 * pi, 4 * pi),
     # pair of numbers for the turn by one branch
     turns=(
-        ("1.0", "6.283185307179586476925286766559005768394"),
+        ("-0.000002835786152229970237232055265479198662896", "6.283203125"),
     ),
     # limits of v·v halfway between branches, each followed by the pair of numbers for the turn back
     returns=(
         "9.869604401089358618834490999876151135314",
-        "1.0",
+        "-0.000002835786152229970237232055265479198662896",
         "0.0",
     ),
     functions=by_name(
         _quaternion_scalars, _pose_scalars, _tangent_scalars, _tangent_dot_scalars, _rate_scalars, _inverse_scalars,
-        _inverse_at, _tangent_inv_at, _tangent_inv_scalars, _tangent_inv_dot_scalars, _ray, _gain_unit, _gain_positive,
-        _gain_product, _direction, _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _coefficient_of,
+        _inverse_at, _tangent_inv_at, _tangent_inv_scalars, _tangent_inv_dot_scalars, _ray, _gain, _inside, _direction,
+        _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="084cd4b40a2f21df",
+    programs="1854cf83d636cc6c",
 )
 
 KERNELS = PoseKernels(CHART)

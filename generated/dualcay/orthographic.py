@@ -19,7 +19,7 @@ r"""Orthographic projection: dual vectors ``v = sin(α/2) u`` of rigid displacem
 ``tangent``: v ends, and with it the domain, at Re alpha = pi.
 ``tangent_inv`` is defined for Re|v| < 1; v ends, and with it the domain, at Re alpha = pi.
 A pose has one vector.
-Forward maps are NaN where v ends, at Re|v| = 1; other functions, such as ``principal`` and ``angle``, have no meaning there.
+Functions end where v ends, at Re|v| = 1: they are NaN for a longer v, except ``inverse``, which is −v.
 The functions are methods of `PoseKernels`, which explains shapes and conventions.
 """
 
@@ -158,33 +158,32 @@ def _ray(m: Any, x: Any) -> Result:
     return c, 1, one, f, 2, h
 
 
-# v = gain vec q for a unit quaternion q, gain = phi/sin(alpha/2)
-def _gain_unit(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
-    negative = e0 < 0
-    gain = m.where(negative, -1, 1)
-    return gain,
+# v = gain vec q for a quaternion of this size, size 1: gain = phi/sin(alpha/2)
+def _gain(m: Any, e0: Any, e1: Any, e2: Any, e3: Any, size: Any) -> Result:
+    sign = m.where(size + e0 / 16 < size, -1, 1)
+    gain = sign / size
+    e1_gain = e1 * gain
+    e2_gain = e2 * gain
+    e3_gain = e3 * gain
+    x = e1_gain * e1_gain + e2_gain * e2_gain + e3_gain * e3_gain
+    over = x - 1
+    shrunk = m.where(over < 0, 1, 1 / (1 + 4 * over))
+    kept = gain * shrunk
+    return kept,
 
 
-# v = gain vec q for a quaternion q of any size with e0 >= 0
-def _gain_positive(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
-    size = m.sqrt(e0 * e0 + (e1 * e1 + e2 * e2 + e3 * e3))
-    gain = 1 / size
-    return gain,
-
-
-# v = gain vec q for a product q of quaternions of size2 and size1
-def _gain_product(m: Any, e0: Any, e1: Any, e2: Any, e3: Any, size2: Any, size1: Any) -> Result:
-    size = size2 * size1
-    negative = e0 < 0
-    gain = m.where(negative, -1, 1) / size
-    return gain,
+# factor that takes a vector of square x back to the edge; 1 within the chart
+def _inside(m: Any, x: Any) -> Result:
+    over = x - 1
+    shrunk = m.where(over < 0, 1, 1 / (1 + 4 * over))
+    return shrunk,
 
 
 # principal angle, d alpha/d r and sign of the axis, from x, y and the length r of v
 def _natural(m: Any, x: Any, y: Any, r: Any) -> Result:
     cc = 1 - x
     c = m.sqrt(cc)
-    turned = m.where(16 + c < 16, -1, 1)
+    turned = m.where(64 + c < 64, -1, 1)
     one = c - c + 1
     sign = one * m.where(turned < 0, -1, 1)
     angle = 2 * m.atan2(r, m.abs(c))
@@ -194,7 +193,7 @@ def _natural(m: Any, x: Any, y: Any, r: Any) -> Result:
 
 # angle of v = r u on its own branch
 def _unfolded(m: Any, x: Any, r: Any) -> Result:
-    c = m.sqrt(m.where(x < 1, 1 - x, x))
+    c = m.sqrt(1 - x)
     own = 2 * m.atan2(r, c)
     return own,
 
@@ -249,11 +248,12 @@ CHART = Chart(
     ),
     functions=by_name(
         _quaternion_scalars, _pose_scalars, _tangent_scalars, _tangent_dot_scalars, _rate_scalars, _inverse_scalars,
-        _inverse_at, _tangent_inv_at, _tangent_inv_scalars, _tangent_inv_dot_scalars, _ray, _gain_unit, _gain_positive,
-        _gain_product, _natural, _unfolded, _reached, _coefficient, _coefficient_of,
+        _inverse_at, _tangent_inv_at, _tangent_inv_scalars, _tangent_inv_dot_scalars, _ray, _gain, _inside, _natural,
+        _unfolded, _reached, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="b9506811a032bb88",
+    programs="834eadee2ed77a60",
+    ends=True,
 )
 
 KERNELS = PoseKernels(CHART)

@@ -35,7 +35,7 @@ ORDER = 1
 
 
 CHART = multiple(
-    BASE, __name__, 2, 1, constant=('pose_scalars', 'tangent_scalars', 'tangent_dot_scalars', 'inverse_scalars', 'inverse_at', 'tangent_inv_at', 'tangent_inv_scalars', 'tangent_inv_dot_scalars', 'ray'), programs="ee2beb7b205215cf"
+    BASE, __name__, 2, 1, constant=('pose_scalars', 'tangent_scalars', 'tangent_dot_scalars', 'inverse_scalars', 'inverse_at', 'tangent_inv_at', 'tangent_inv_scalars', 'tangent_inv_dot_scalars', 'ray', 'inside'), programs="58b9e7da8e2beabb"
 )
 
 KERNELS = PoseKernels(CHART)

@@ -35,7 +35,7 @@ ORDER = 3
 
 
 CHART = multiple(
-    BASE, __name__, 6, 1, constant=('ray',), programs="5d99337047efce40"
+    BASE, __name__, 6, 1, constant=('inside',), programs="05101fb8c95be0b6"
 )
 
 KERNELS = PoseKernels(CHART)

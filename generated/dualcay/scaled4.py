@@ -35,7 +35,7 @@ ORDER = 4
 
 
 CHART = multiple(
-    BASE, __name__, 8, 1, constant=(), programs="e1690c6bd3e3ad36"
+    BASE, __name__, 8, 1, constant=('inside',), programs="60acfd86e1e5ad5e"
 )
 
 KERNELS = PoseKernels(CHART)

@@ -35,7 +35,7 @@ ORDER = 5
 
 
 CHART = multiple(
-    BASE, __name__, 10, 1, constant=('ray',), programs="d48d7e6e2474c17d"
+    BASE, __name__, 10, 1, constant=('inside',), programs="f23474d6ae525c1a"
 )
 
 KERNELS = PoseKernels(CHART)

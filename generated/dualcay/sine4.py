@@ -19,7 +19,7 @@ r"""Sine chart of order 4: dual vectors ``v = sin(α/8) u`` of rigid displacemen
 ``tangent``: loses rank at Re alpha = 2*pi; v ends, and with it the domain, at Re alpha = 4*pi.
 ``tangent_inv`` is defined for Re|v| < 1 off the poles; pole at Re alpha = 2*pi; v ends, and with it the domain, at Re alpha = 4*pi.
 A pose has 4 vectors.
-Forward maps are NaN where v ends, at Re|v| = 1; other functions, such as ``principal`` and ``angle``, have no meaning there.
+Functions end where v ends, at Re|v| = 1: they are NaN for a longer v, except ``inverse``, which is −v.
 The functions are methods of `PoseKernels`, which explains shapes and conventions.
 """
 
@@ -206,36 +206,22 @@ def _ray(m: Any, x: Any) -> Result:
     return s, w, one, f, g, h
 
 
-# v = gain vec q for a unit quaternion q, gain = phi/sin(alpha/2)
-def _gain_unit(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
-    negative = e0 < 0
-    cos = m.where(negative, -e0, e0)
-    cos1 = m.sqrt((1 + cos) / 2)
-    cos2 = m.sqrt((1 + cos1) / 2)
-    gain = m.where(negative, -1, 1) / (2 * cos1 * (2 * cos2))
-    return gain,
-
-
-# v = gain vec q for a quaternion q of any size with e0 >= 0
-def _gain_positive(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
-    size = m.sqrt(e0 * e0 + (e1 * e1 + e2 * e2 + e3 * e3))
-    cos0 = e0 / size
-    cos1 = m.sqrt((1 + cos0) / 2)
-    cos2 = m.sqrt((1 + cos1) / 2)
-    gain = 1 / (size * (2 * cos1) * (2 * cos2))
-    return gain,
-
-
-# v = gain vec q for a product q of quaternions of size2 and size1
-def _gain_product(m: Any, e0: Any, e1: Any, e2: Any, e3: Any, size2: Any, size1: Any) -> Result:
-    size = size2 * size1
-    negative = e0 < 0
-    cos = m.where(negative, -e0, e0)
+# v = gain vec q for a quaternion of this size, size 1: gain = phi/sin(alpha/2)
+def _gain(m: Any, e0: Any, e1: Any, e2: Any, e3: Any, size: Any) -> Result:
+    sign = m.where(size + e0 / 16 < size, -1, 1)
+    cos = sign * e0
     cos0 = cos / size
     cos1 = m.sqrt((1 + cos0) / 2)
     cos2 = m.sqrt((1 + cos1) / 2)
-    gain = m.where(negative, -1, 1) / (size * (2 * cos1) * (2 * cos2))
+    gain = sign / (size * (2 * cos1) * (2 * cos2))
     return gain,
+
+
+# factor that takes a vector of square x back to the edge; 1 within the chart
+def _inside(m: Any, x: Any) -> Result:
+    over = x - 1
+    shrunk = m.where(over < 0, 1, 1 / (1 + 4 * over))
+    return shrunk,
 
 
 # sign of the principal axis along v, from the length r of v and y, the product of v and v°
@@ -244,7 +230,7 @@ def _direction(m: Any, x: Any, y: Any, r: Any) -> Result:
     cc = 1 - x
     c = m.sqrt(cc)
     w = c * (4 - x_by_8)
-    kept = m.where(w < 0, 0, 16)
+    kept = m.where(w < 0, 0, 64)
     s = (x_by_8 - 8) * x + 1
     turned = m.where(kept + s < kept, -w, w)
     one = s - s + 1
@@ -258,7 +244,7 @@ def _natural(m: Any, x: Any, y: Any, r: Any) -> Result:
     cc = 1 - x
     c = m.sqrt(cc)
     w = c * (4 - x_by_8)
-    kept = m.where(w < 0, 0, 16)
+    kept = m.where(w < 0, 0, 64)
     s = (x_by_8 - 8) * x + 1
     turned = m.where(kept + s < kept, -w, w)
     one = s - s + 1
@@ -270,7 +256,7 @@ def _natural(m: Any, x: Any, y: Any, r: Any) -> Result:
 
 # angle of v = r u on its own branch
 def _unfolded(m: Any, x: Any, r: Any) -> Result:
-    c = m.sqrt(m.where(x < 1, 1 - x, x))
+    c = m.sqrt(1 - x)
     own = 8 * m.atan2(r, c)
     return own,
 
@@ -291,7 +277,7 @@ def _reached(m: Any, alpha: Any) -> Result:
 # coefficient rk of the vector rk u on another branch of r u, drk/dr and d²rk/dr²
 def _turned(m: Any, r: Any, cos: Any, sin: Any) -> Result:
     rr = r * r
-    c = m.sqrt(m.where(rr < 1, 1 - rr, rr))
+    c = m.sqrt(1 - rr)
     further = c * cos - r * sin
     side = m.where(further < 0, -1, 1)
     sk = side * (r * cos + c * sin)
@@ -302,13 +288,15 @@ def _turned(m: Any, r: Any, cos: Any, sin: Any) -> Result:
     return sk, slope, bend
 
 
-# truth of x > limit, beyond the principal branch, and the turn back
+# truth of x > limit, beyond the principal branch, x or the limit, and the turn back
 def _beyond(m: Any, x: Any, limit1: Any, cos1: Any, sin1: Any, limit2: Any, cos2: Any, sin2: Any) -> Result:
-    beyond1 = limit1 < limit1 + (x - limit1) / 16
+    beside1 = limit1 + (x - limit1) / 64
+    beyond1 = limit1 < beside1
     beyond2 = limit2 < x
     cosine2 = m.where(beyond2, cos2, cos1)
     sine2 = m.where(beyond2, sin2, sin1)
-    return beyond1, cosine2, sine2
+    place = m.where(beyond1, x, beside1)
+    return beyond1, place, cosine2, sine2
 
 
 # r = phi(alpha) and phi'
@@ -359,11 +347,12 @@ CHART = Chart(
     ),
     functions=by_name(
         _quaternion_scalars, _pose_scalars, _tangent_scalars, _tangent_dot_scalars, _rate_scalars, _inverse_scalars,
-        _inverse_at, _tangent_inv_at, _tangent_inv_scalars, _tangent_inv_dot_scalars, _ray, _gain_unit, _gain_positive,
-        _gain_product, _direction, _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _coefficient_of,
+        _inverse_at, _tangent_inv_at, _tangent_inv_scalars, _tangent_inv_dot_scalars, _ray, _gain, _inside, _direction,
+        _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="320db9b5e0ad8fa3",
+    programs="b56568daffa55b8f",
+    ends=True,
 )
 
 KERNELS = PoseKernels(CHART)

@@ -35,7 +35,7 @@ ORDER = 2
 
 
 CHART = multiple(
-    BASE, __name__, 4, 1, constant=('inverse_scalars', 'inverse_at', 'tangent_inv_at', 'tangent_inv_scalars', 'tangent_inv_dot_scalars', 'ray'), programs="43032fd9bad009a7"
+    BASE, __name__, 4, 1, constant=('inverse_scalars', 'inverse_at', 'tangent_inv_at', 'tangent_inv_scalars', 'tangent_inv_dot_scalars', 'ray', 'inside'), programs="6a1130eb6d408153"
 )
 
 KERNELS = PoseKernels(CHART)

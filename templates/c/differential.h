@@ -12,7 +12,7 @@
 #include <math.h>
 #include <stdio.h>
 
-#define DUALCAY_EPSILON (sizeof(dualcay_real) == sizeof(float) ? FLT_EPSILON : DBL_EPSILON)
+#define DUALCAY_EPSILON (sizeof(dualcay_real) == sizeof(float) ? (double)FLT_EPSILON : DBL_EPSILON)
 
 static int differential_calls = 0;
 static int differential_failures = 0;
@@ -38,9 +38,9 @@ static double differential_error(
             }
         }
         const double off = sqrt(square);
-        const double error = off == 0 ? off : off / (scales[part_of[i]] * DUALCAY_EPSILON);  // a constant has no scale
+        const double error = off <= 0 ? off : off / (scales[part_of[i]] * DUALCAY_EPSILON);  // a constant has no scale
         if (!(error <= worst)) {
-            worst = error == error ? error : HUGE_VAL;
+            worst = error >= 0 ? error : HUGE_VAL;
         }
     }
     return worst;

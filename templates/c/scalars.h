@@ -25,6 +25,7 @@ template <class Real> DUALCAY_PLACE inline Real dualcay_abs(const Real &a) { usi
 template <class Real> DUALCAY_PLACE inline Real dualcay_sqrt(const Real &a) { using std::sqrt; return sqrt(a); }
 template <class Real> DUALCAY_PLACE inline Real dualcay_tan(const Real &a) { using std::tan; return tan(a); }
 template <class Real> DUALCAY_PLACE inline Real dualcay_atan2(const Real &y, const Real &x) { using std::atan2; return atan2(y, x); }
+template <class Real> DUALCAY_PLACE inline Real dualcay_atan2(const Real &y, int x) { return dualcay_atan2(y, (Real)x); }
 template <class Real> DUALCAY_PLACE inline Real dualcay_expm1(const Real &a) { using std::expm1; return expm1(a); }
 template <class Real> DUALCAY_PLACE inline Real dualcay_log1p(const Real &a) { using std::log1p; return log1p(a); }
 #endif

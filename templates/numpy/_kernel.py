@@ -15,6 +15,7 @@ from typing import Any, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
+from ._prepared import PREPARED_MAX, run_prepared
 from ._program import Program
 
 Array: TypeAlias = NDArray[Any]
@@ -73,8 +74,13 @@ def run(kernel: Kernel, program: Program, arguments: Rows, table: Rows, result: 
     batch = _batch_of(result, kernel.shape, axis)
     rows = [_rows(a, part, axis, batch) for a, (_, part) in zip(arguments, kernel.arguments, strict=True)]
     target = _rows(result, kernel.shape, axis, batch)
+    cells = math.prod(batch)
+    if cells <= min(PREPARED_MAX, BLOCK):
+        parts = [part for _, part in kernel.arguments]
+        run_prepared(program, parts, kernel.shape, rows, table, target)
+        return
     loop = _Loop(kernel, program, rows, table, target)
-    memory = SCRATCH.take(loop.bytes(min(BLOCK, math.prod(batch))))
+    memory = SCRATCH.take(loop.bytes(min(BLOCK, cells)))
     try:
         for index in blocks(batch, BLOCK):
             loop.run(index, memory)

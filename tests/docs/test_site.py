@@ -141,7 +141,7 @@ def look(server: Server, page: str, folder: Path, width: int = 1280, theme: str 
 
 
 TUTORIAL, FUNCTION = "tutorials/heavy_top.html", "reference/generated/dualcay.cayley2.tangent.html"
-PAGES = ("index.html", TUTORIAL, FUNCTION, "errata.html#condurache-popa-2023-112")
+PAGES = ("index.html", TUTORIAL, FUNCTION, "errata.html#condurache-popa-2023-112", "field.html#kindr-411")
 
 
 @pytest.mark.parametrize("theme", ["light", "dark"])

@@ -59,6 +59,8 @@ def test_recorded_program_agrees_with_single_poses_and_any_block_size(
             whole = getattr(kernel, name)(*arguments)
             if dtype == np.float64:
                 assert_nearly_equal(whole, alone, 64)
+            patch.setattr(_kernel, "PREPARED_MAX", -1)
+            np.testing.assert_array_equal(getattr(kernel, name)(*arguments), whole)  # blocks: equal in every bit
             for size in (1, 3, 12):
                 patch.setattr(_kernel, "BLOCK", size)
                 assert_nearly_equal(getattr(kernel, name)(*arguments), whole)

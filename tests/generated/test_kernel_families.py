@@ -10,35 +10,13 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 from derive.about import FAMILIES
-from derive.codegen.signatures import PUBLIC
 from dualcay import exponential, scaled2, wiener_milenkovic
 from tests.support import families, sampling
-
-REGIMES = ((1e-300, 1e-290), (1e-9, 1e-5), (1e-3, 0.1), (0.3, 3.1), (0.9, 0.99999))
-"""Ranges of angles; the last range is given as shares of the edge."""
 
 
 @pytest.fixture(params=FAMILIES)
 def name(request: pytest.FixtureRequest) -> str:
     return str(request.param)
-
-
-def angles(name: str, regime: int) -> tuple[float, float]:
-    low, high = REGIMES[regime]
-    edge = families.edge_of(name)
-    return (low * edge, high * edge) if regime == len(REGIMES) - 1 else (low, high)
-
-
-def test_every_function_agrees_with_first_principles(name: str, kernels: ModuleType):
-    """Start each family with another regime of angles."""
-    regimes = [angles(name, (FAMILIES.index(name) + place) % len(REGIMES)) for place in range(len(REGIMES))]
-    families.require_every_function(kernels, families.oracle_of(name), regimes)
-
-
-def test_every_function_meets_all_regimes():
-    """Expect each function in all regimes: families start with different ones."""
-    met = {(place, (start + place) % len(REGIMES)) for start in range(len(FAMILIES)) for place in range(len(PUBLIC))}
-    assert len(met) == len(REGIMES) * len(PUBLIC)
 
 
 LEFT = (0.2, 0.1, 3e-2, 3e-3, 1e-4)  # distances from the edge, as shares of the edge angle

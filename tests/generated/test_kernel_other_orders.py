@@ -10,6 +10,7 @@ from types import ModuleType
 import numpy as np
 import pytest
 
+from dualcay import _runtime
 from tests.support import packages, rotations, sampling
 from tests.support.accuracy import FUNCTIONS, Trial
 from tests.support.calculus import CALCULUS, CalculusTrial
@@ -63,8 +64,9 @@ def test_orders_above_eight_overflow_beyond_the_fourth_power_of_one_plus_x(
     Allow the gate of shadows, 10 n eps, times 2n for one more derivative of powers of this degree.
     """
     module = importlib.import_module(f"{PACKAGE}.cayley{order}")
-    v = (size * sampling.dual_vectors("far", np.float64, 5)).astype(dtype)
-    w = sampling.dual_vectors("far too", np.float64, 5).astype(dtype)
+    count = _runtime.POINTWISE_MAX + 1  # fewer poses of float32 have the range of Python floats
+    v = (size * sampling.dual_vectors("far", np.float64, count)).astype(dtype)
+    w = sampling.dual_vectors("far too", np.float64, count).astype(dtype)
     forward = dict.fromkeys(("quaternion", "pose", "tensor", "tangent", "tangent_inv"), ())
     for name, given in {**forward, "tangent_dot": (w,), "twist_jacobian": (w,)}.items():
         function, eps = getattr(module, name), 10 * order * (2 * order if given else 1) * np.finfo(dtype).eps

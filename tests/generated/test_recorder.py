@@ -4,15 +4,16 @@ from __future__ import annotations
 
 import math
 import signal
-import threading
+import sys
 from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
 from typing import Any
 
 import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from dualcay import _program, _recorder, cayley3
+from dualcay import _kernel, _prepared, _program, _recorder, cayley3
 from dualcay._program import Program
 from dualcay._recorder import Number, record
 
@@ -173,34 +174,59 @@ def test_program_is_recorded_once_for_each_dtype() -> None:
     assert chart.recorded("pose", np.dtype(np.float32), 0) is not first
 
 
-def test_threads_agree_with_one_another(monkeypatch: pytest.MonkeyPatch) -> None:
-    v = np.random.default_rng(0).normal(size=(5000, 6)) / 4
-    expected = cayley3.pose(v)
+def test_prepared_program_takes_new_arguments_constants_and_layouts(monkeypatch: pytest.MonkeyPatch) -> None:
+    v = np.random.default_rng(0).normal(size=(3, 40, 6)) / 4
+
+    def results() -> list[Any]:
+        turned = [cayley3.shadow(v[0], k) for k in (1, 2, 1)]
+        broadcast = cayley3.compose(v[:, :1], v[:1]), cayley3.compose(v, v[0]), cayley3.compose(v.T, v.T, axis=0)
+        v[0, 20:] = np.nan  # earlier results stay as they are
+        return [*turned, *broadcast, cayley3.shadow(v[0], 1), cayley3.pose(v[0].astype(np.float32)), cayley3.pose(v[0])]
+
+    found = results()
+    v[0, 20:] = np.random.default_rng(0).normal(size=(3, 40, 6))[0, 20:] / 4
+    monkeypatch.setattr(_kernel, "PREPARED_MAX", -1)
+    for one, expected in zip(found, results(), strict=True):
+        np.testing.assert_array_equal(one, expected)
+
+
+def test_few_prepared_programs_are_kept() -> None:
+    for count in range(20, 20 + 2 * _prepared.KEPT_MAX):
+        cayley3.pose(np.zeros((count, 6)))
+    assert len(_prepared._kept) == _prepared.KEPT_MAX
+
+
+@pytest.mark.parametrize("count", [100, 5000])
+def test_threads_agree_with_one_another(monkeypatch: pytest.MonkeyPatch, count: int) -> None:
+    v = np.random.default_rng(0).normal(size=(count, 6)) / 4
+    given = [v / share for share in range(1, 9)]
+    expected = [cayley3.pose(one) for one in given]
     monkeypatch.setattr(cayley3.KERNELS._chart, "_recorded", {})
-    found: list[Any] = []
-    threads = [threading.Thread(target=lambda: found.append(cayley3.pose(v))) for _ in range(8)]
-    for thread in threads:
-        thread.start()
-    for thread in threads:
-        thread.join()
-    assert all(np.array_equal(result, expected) for result in found)
-    assert len(found) == len(threads)
+    before = sys.getswitchinterval()
+    sys.setswitchinterval(1e-6)  # threads change places between any two operations
+    try:
+        with ThreadPoolExecutor(8) as pool:
+            found = list(pool.map(cayley3.pose, given * 20))
+    finally:
+        sys.setswitchinterval(before)
+    assert all(np.array_equal(one, wanted) for one, wanted in zip(found, expected * 20, strict=True))
 
 
-def test_signal_handler_may_call_kernels() -> None:
-    v = np.random.default_rng(0).normal(size=(20_000, 6)) / 4
+@pytest.mark.parametrize("count", [100, 20_000])
+def test_signal_handler_may_call_kernels(count: int) -> None:
+    v = np.random.default_rng(0).normal(size=(count, 6)) / 4
     expected, inner = cayley3.pose(v), []
 
     def handler(*_: Any) -> None:
-        inner.append(cayley3.pose(v[:100]))
+        inner.append(cayley3.pose(-v[:100]))
 
     former = signal.signal(signal.SIGALRM, handler)
     try:
         signal.setitimer(signal.ITIMER_REAL, 1e-3, 1e-3)
-        results = [cayley3.pose(v) for _ in range(20)]
+        results = [cayley3.pose(v) for _ in range(400_000 // count)]
     finally:
         signal.setitimer(signal.ITIMER_REAL, 0)
         signal.signal(signal.SIGALRM, former)
     assert all(np.array_equal(result, expected) for result in results)
     assert inner
-    assert all(np.array_equal(result, expected[:100]) for result in inner)
+    assert all(np.array_equal(result, cayley3.pose(-v[:100])) for result in inner)

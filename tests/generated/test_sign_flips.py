@@ -27,6 +27,10 @@ REGIMES = ("uniform", "shadow", "pure translation", "below pi", "coordinate axes
 """Regimes with arguments on both sides of each selection, so that every operation matters."""
 
 
+SELECTING = ("either", "zero", "one", "every", "whole", "xmade", "beside1", "beside2")
+"""Names of numbers that only select a side, or NaN."""
+
+
 def programs(module: Any) -> dict[str, ast.FunctionDef]:
     """Return the programs of a module by name: geometry programs, or the scalar programs of a chart."""
     found = (node for node in ast.parse(inspect.getsource(module)).body if isinstance(node, ast.FunctionDef))
@@ -45,14 +49,20 @@ def signs(program: ast.FunctionDef) -> list[int]:
         node
         for node in ast.walk(program)
         if (isinstance(node, ast.Call) and ast.unparse(node.func) == "m.where")
-        or (isinstance(node, ast.Assign) and ast.unparse(node.targets[0]) in ("either", "zero", "one"))
+        or (isinstance(node, ast.Assign) and ast.unparse(node.targets[0]) in SELECTING)
     ]
     apart = {id(node) for call in selecting for node in ast.walk(call)}
     return [
         place
         for place, node in enumerate(ast.walk(program))
         if id(node) not in apart and isinstance(getattr(node, "op", None), ast.Add | ast.Sub | ast.USub)
+        and not (isinstance(node, ast.BinOp) and (nothing(node) or nothing(node.right)))
     ]
+
+
+def nothing(node: ast.expr) -> bool:
+    """Tell whether a node is ``(a − a)``, which is 0 or NaN."""
+    return isinstance(node, ast.BinOp) and isinstance(node.op, ast.Sub) and ast.dump(node.left) == ast.dump(node.right)
 
 
 def flipped(program: ast.FunctionDef, place: int) -> ast.FunctionDef:

@@ -81,6 +81,7 @@ DIGITS = 60
 GATE = 8  # largest allowed error, in eps of size and condition of a result; `make accuracy` found half of it
 VECTORS = ("v0", "v1", "v2", "delta")  # names of further arguments that are vectors of the chart, or steps
 BY_STEPS = ("retract_jacobians", "body_retract_jacobians")  # functions with products of operators as results
+BY_FACTORS = ("compose_jacobians", "between_jacobians", *BY_STEPS)
 STEPS = ("retract", "body_retract", *BY_STEPS)
 
 
@@ -120,7 +121,10 @@ def arguments(kernels: ModuleType, name: str, v: np.ndarray) -> list[np.ndarray]
 
 
 def scale(function: Any, given: list[np.ndarray], exact: list[Any]) -> list[float]:
-    """Return the norm of each part of a result plus its change per relative change of every argument component."""
+    """Return the norm of each part of a result plus its change per relative change of every argument component.
+
+    The function returns the parts of its result.
+    """
     step = mpmath.mpf(2) ** -80
     sizes = [errors.norm(part) for part in exact]
     for i, argument in enumerate(given):
@@ -128,24 +132,29 @@ def scale(function: Any, given: list[np.ndarray], exact: list[Any]) -> list[floa
             moved = argument.astype(object)
             with mpmath.workdps(DIGITS):
                 moved[index] = mpmath.mpf(component) * (1 + step)
-            other = parts(function(*given[:i], moved, *given[i + 1 :]))
+            other = function(*given[:i], moved, *given[i + 1 :])
             sizes = [size + errors.norm((b - a) / step) for size, a, b in zip(sizes, exact, other, strict=True)]
     return sizes
 
 
-def scale_of_factors(oracle: Oracle, name: str, v: np.ndarray, delta: np.ndarray) -> list[float]:
-    """Return the effect of rounding the factors of T(v')⁻¹ R T(v) and T(v')⁻¹ R' dexp(δ).
+def scale_of_factors(oracle: Oracle, name: str, one: np.ndarray, other: np.ndarray) -> list[float]:
+    """Return the effect of rounding the factors of Jacobians such as T(v')⁻¹ R T(v) and T(v')⁻¹ R' dexp(δ).
 
     Each factor is computed separately, with an error relative to its norm. At whole turns, and at an edge with φ′ = 0,
     a factor is nearly singular, but the product is near I. Changes of the arguments do not show this error.
     """
-    body = name.startswith("body")
-    result = (oracle.body_retract if body else oracle.retract)(v, delta)
+    result = getattr(oracle, name.removesuffix("_jacobians"))(one, other)
     back = errors.majorant(inverse(oracle.operator_by_spin(oracle.unpack(result))))
-    here, step = oracle.unpack(v), oracle.unpack(delta)
-    turned = errors.size(oracle.tensor(v)) if body else errors.majorant(ExponentialOracle(1, DIGITS).rotation(step))
-    own, dexp = errors.majorant(oracle.operator_by_spin(here)), errors.majorant(oracle.step_operator(step))
-    products = (back * own, back * turned * dexp) if body else (back * turned * own, back * dexp)
+    first, second = oracle.unpack(one), oracle.unpack(other)
+    moved = errors.majorant(oracle.operator_by_spin(first))
+    if name in BY_STEPS:
+        moving = errors.majorant(oracle.step_operator(second))
+        steps = errors.majorant(ExponentialOracle(1, DIGITS).rotation(second))
+    else:
+        moving, steps = errors.majorant(oracle.operator_by_spin(second)), errors.size(oracle.tensor(other))
+    turned = errors.size(oracle.tensor(one))
+    by_second = name in ("retract_jacobians", "between_jacobians")  # R of the second argument, else of the first
+    products = (back * steps * moved, back * moving) if by_second else (back * moved, back * turned * moving)
     return [float(part) for product in products for part in (product.re, product.du)]
 
 
@@ -165,16 +174,16 @@ def worst_of(kernels: ModuleType, oracle: Oracle, name: str, given: list[np.ndar
     """Return the largest error of a function at given arguments, on a branch if one is given."""
 
     def function(*values: Any) -> Any:
-        return getattr(oracle, name)(*values, *chosen)
+        return parts(getattr(oracle, name)(*values, *chosen))
 
     found = getattr(kernels, name)(*given, *chosen)
     largest = 0.0
     for i in range(len(given[0])):
         one = [np.asarray(argument[i]) for argument in given]
         got = parts(tuple(array[i] for array in found) if isinstance(found, tuple) else found[i])
-        exact = parts(function(*one))
+        exact = function(*one)
         sizes = scale(function, one, exact)
-        if name in BY_STEPS:
+        if name in BY_FACTORS:
             sizes = [a + b for a, b in zip(sizes, scale_of_factors(oracle, name, *one), strict=True)]
         for a, b, size in zip(got, exact, sizes, strict=True):
             error = errors.norm(b - a.astype(object)) / np.finfo(float).eps

@@ -54,7 +54,8 @@ def imported(chart: Any, folder: Path) -> ModuleType:
     from derive.codegen.targets import TARGETS
     from derive.output import files
 
-    files.write(folder / f"with_{chart.name}", print_package([chart], TARGETS["numpy"]).texts)
+    charts = [chart.base, chart] if chart.base else [chart]  # a multiple imports the module of its base chart
+    files.write(folder / f"with_{chart.name}", print_package(charts, TARGETS["numpy"]).texts)
     with pytest.MonkeyPatch.context() as patch:
         patch.syspath_prepend(folder)
         return importlib.import_module(f"with_{chart.name}.{chart.name}")

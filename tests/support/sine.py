@@ -128,8 +128,8 @@ class Sine:
     ) -> tuple[Coefficient, Coefficient]:
         return self.coefficient(angle, m)
 
-    def gain(self, q: Quaternion, size: Coefficient, m: Arithmetic, positive: bool = False) -> Coefficient:
-        negative = False if positive else m.name("negative", m.less(q.scalar, 0))
+    def gain(self, q: Quaternion, size: Coefficient, m: Arithmetic) -> Coefficient:
+        negative = m.name("negative", m.less(size + m.div(q.scalar, 16), size))
         cosine = m.name("cos", m.where(negative, -q.scalar, q.scalar))
         square = m.name("ss", q.vector.dot(q.vector))
         still = m.name("still", m.equal(square, 0))

@@ -67,6 +67,8 @@ template <int N> bool operator==(const Jet<N> &f, const Jet<N> &g) { return f.a 
 template <int N> Jet<N> abs(const Jet<N> &f) { return f.a < 0 ? -f : f; }
 template <int N> Jet<N> sqrt(const Jet<N> &f) { return chain(std::sqrt(f.a), 0.5 / std::sqrt(f.a), f, 0, f); }
 template <int N> Jet<N> tan(const Jet<N> &f) { return chain(std::tan(f.a), 1 + std::tan(f.a) * std::tan(f.a), f, 0, f); }
+template <int N> Jet<N> expm1(const Jet<N> &f) { return chain(std::expm1(f.a), std::exp(f.a), f, 0, f); }
+template <int N> Jet<N> log1p(const Jet<N> &f) { return chain(std::log1p(f.a), 1 / (1 + f.a), f, 0, f); }
 template <int N> Jet<N> atan2(const Jet<N> &g, const Jet<N> &f)
 {
     const double square = f.a * f.a + g.a * g.a;

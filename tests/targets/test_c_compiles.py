@@ -25,7 +25,20 @@ pytestmark = [pytest.mark.compiler, pytest.mark.thorough]
 ROOT = Path(__file__).parents[2]
 ORDERS = packages.ORDERS["c"]
 TABLES = (POSES, ROTATIONS)
-STRICT = ("-Wall", "-Wextra", "-Wshadow", "-Wconversion", "-Wstrict-aliasing", "-Werror", "-pedantic")
+STRICT = (
+    "-Wall", "-Wextra", "-Wshadow", "-Wconversion", "-Wstrict-aliasing", "-Wundef", "-Wdouble-promotion",
+    "-Wfloat-equal", "-Werror", "-pedantic",
+)  # fmt: skip
+FOREIGN = (
+    # macros of windows.h, Arduino.h, X.h, termios.h and complex.h that begin with no prefix
+    "near", "far", "small", "hyper", "interface", "pascal", "cdecl", "IN", "OUT", "OPTIONAL", "CONST", "VOID", "ERROR",
+    "DELETE", "TRUE", "FALSE", "PI", "HALF_PI", "TWO_PI", "EULER", "DEG_TO_RAD", "HIGH", "LOW", "INPUT", "OUTPUT",
+    "CHANGE", "RISING", "FALLING", "DEFAULT", "EXTERNAL", "SERIAL", "DISPLAY", "SS", "A0", "A1", "A2", "A3", "None",
+    "Bool", "Status", "True", "False", "Success", "Always", "Above", "Below", "Unsorted", "Complex", "B0", "B50", "B75",
+    "B110", "B300", "ECHO", "TAB0", "CR0", "NL0", "FF0", "VT0", "BS0", "I", "complex", "imaginary", "unix",
+    "linux", "sun",
+)  # fmt: skip
+FUNCTIONS = ("min", "max", "round", "sq", "bit", "radians", "degrees", "constrain", "word", "F", "lowByte", "highByte")
 FAMILIES = [("gcc", "g++"), *([("clang", "clang++")] if shutil.which("clang++") else [])]
 """Pairs of a C and a C++ compiler, by vendor."""
 
@@ -72,15 +85,18 @@ def written(folder: Path, name: str, text: str) -> Path:
     ("standard", "real", "orders"),
     [
         ("c99", "float", ORDERS[:2]), ("c99", "double", ORDERS[2:]),
-        ("c17", "float", ORDERS[2:]), ("c17", "double", ORDERS[:2]),
+        ("c17", "float", ORDERS[2:]), ("c17", "double", ORDERS[:2]), ("c17", "long double", ORDERS[:1]),
         ("c++11", "float", ORDERS[2:]), ("c++11", "double", ORDERS[:2]),
         ("c++20", "float", ORDERS[:2]), ("c++20", "double", ORDERS[2:]),
     ],
 )  # fmt: skip
 def test_headers_compile_without_a_warning(package, tmp_path, standard, real, orders, compilers):
     name = compilers["++" in standard]
-    source = written(tmp_path, "some.cpp" if "++" in standard else "some.c", includes(orders))
-    flags = (f"-std={standard}", *STRICT, "-O2", f"-DDUALCAY_REAL={real}", f"-I{package}")
+    text = "#include <math.h>\n#include <stddef.h>\n" + "".join(f"#define {name} ?\n" for name in FOREIGN)
+    text += "".join(f"#define {name}(x) ?\n" for name in FUNCTIONS) + includes(orders)
+    source = written(tmp_path, "some.cpp" if "++" in standard else "some.c", text)
+    further = ("-Wold-style-cast",) if "++" in standard else ()
+    flags = (f"-std={standard}", *STRICT, *further, "-O2", f"-DDUALCAY_REAL={real}", f"-I{package}")
     run(tool(name), *flags, "-c", source, "-o", tmp_path / "some.o")
 
 
@@ -139,7 +155,7 @@ def test_device_qualifiers_stand_before_every_function(package, tmp_path):
 )
 def test_results_agree_with_exact_ones(package, tmp_path, compiler, order, real, flags):
     program = tmp_path / "test"
-    strict = ("-std=c99", "-Wall", "-Wextra", "-Werror", "-pedantic")
+    strict = ("-std=c99", *STRICT)
     source = package / f"test_cayley{order}.c"
     run(tool(compiler), *strict, *flags, f"-DDUALCAY_REAL={real}", source, "-o", program, "-lm")
     assert f"cayley{order}, {real}: " in run(program)
@@ -212,6 +228,24 @@ def test_the_package_installs_and_the_example_finds_it(package, tmp_path):
     run(cmake, "-S", example, "-B", tmp_path / "example", f"-DCMAKE_PREFIX_PATH={place}", "-DPython3_EXECUTABLE=/none")
     run(cmake, "--build", tmp_path / "example")
     assert "largest difference" in run(tmp_path / "example" / "screw_motion")
+
+
+def test_projects_of_cpp_alone_add_two_folders_of_kernels(package, tmp_path):
+    """Expect a program of C++ to find headers of both folders: cayley3 of one, its copy in the other."""
+    second = tmp_path / "second"
+    shutil.copytree(package, second)
+    (second / "cayley3.h").rename(second / "again.h")
+    text = "#include <dualcay/cayley3.h>\n#include <dualcay/again.h>\nint main() { return 0; }\n"
+    written(tmp_path, "main.cpp", text)
+    lines = [
+        "cmake_minimum_required(VERSION 3.21)", "project(some LANGUAGES CXX)", f"add_subdirectory({package} first)",
+        f"add_subdirectory({second} second)", "add_executable(some main.cpp)",
+        "target_link_libraries(some PRIVATE dualcay::dualcay)",
+    ]  # fmt: skip
+    written(tmp_path, "CMakeLists.txt", "\n".join(lines) + "\n")
+    said = run(tool("cmake"), "-S", tmp_path, "-B", tmp_path / "build")
+    assert "Warning" not in said, said
+    run(tool("cmake"), "--build", tmp_path / "build")
 
 
 def test_example_generates_missing_headers(tmp_path):

@@ -8,6 +8,7 @@ come from running programs and formulas on degrees.
 from __future__ import annotations
 
 import importlib
+import itertools
 import random
 import re
 import shutil
@@ -22,13 +23,15 @@ import pytest
 import sympy
 
 from derive.codegen.build import print_package
+from derive.codegen.catalogue import committed
 from derive.codegen.lowered import lower_chart
 from derive.codegen.rows import Function, Table, inside
 from derive.codegen.targets import TARGETS
 from derive.codegen.targets.c import levels
 from derive.codegen.validation.c_text import prefix
 from derive.codegen.validation.expected_values import ALGEBRAIC, Formulas, evaluated
-from derive.maps import Cayley
+from derive.maps import Cayley, family
+from derive.maps.chart import Chart
 from derive.output import files
 from tests.support.packages import Otherwise
 from tests.support.residues import Degree, Lifting, Residue, degree_of
@@ -38,6 +41,7 @@ C = TARGETS["c"]
 pytestmark = pytest.mark.compiler
 
 CHARTS = (Cayley(2), Cayley(3))
+OTHERS = (family("exponential"), family("lambert"))
 COMPILERS = [name for name in ("g++", "clang++") if shutil.which(name)] or ["g++"]
 STRICT = ("-std=c++11", "-O0", "-Wall", "-Wextra", "-Wshadow", "-pedantic", "-Werror", "-DDUALCAY_TEMPLATES")
 PRIMES = (2**61 - 1, *(sympy.nextprime(random.Random(k).randrange(2**60, 2**61 - 2**20)) for k in range(2)))
@@ -51,7 +55,7 @@ def headers(shared) -> Path:
     """Return the folder of the charts' headers, printed without validation."""
 
     def write(place: Path) -> None:
-        files.write(place, print_package(CHARTS, Otherwise(C, companions=C.further)).texts)
+        files.write(place, print_package((*CHARTS, *OTHERS), Otherwise(C, companions=C.further)).texts)
 
     return shared("c_scalars", write)
 
@@ -97,6 +101,49 @@ def test_every_law_detects_a_wrong_sign(headers, tmp_path):
     found = laws(built(COMPILERS[0], HERE / "scalars.cpp", wrong, tmp_path / "laws"))
     for name, value in found.items():
         assert value > ROUNDING if name.endswith(("jets", "complex")) else value == 0, name
+
+
+def alone(headers: Path, chart: Chart, tmp_path: Path) -> Path:
+    """Write a program that compiles every function of a chart for the scalar type ``TYPE``."""
+    includes = "".join(f'#include "{inside(table, chart.name)}.h"\n' for table in C.tables)
+    command = ["g++", "-E", "-P", "-DDUALCAY_TEMPLATES", f"-I{headers}", "-xc++", "-"]
+    text = subprocess.run(command, input=includes, capture_output=True, text=True, check=True).stdout
+    names = set(re.findall(r"template <class dualcay_real> static inline void (\w+)\(", text))
+    assert {f"{prefix(chart, table)}_{name}" for table in C.tables for name in table.public} <= names
+    calls = "".join(f"reinterpret_cast<const void *>(&dualcay::{name}<TYPE >),\n" for name in sorted(names))
+    path = tmp_path / f"{chart.name}.cpp"
+    array = f"extern const void *const all[];\nconst void *const all[] = {{\n{calls}}};\n"
+    path.write_text(f'#include "scalars.h"\n{includes}{array}', encoding="utf-8")
+    return path
+
+
+def compile_alone(headers: Path, chart: Chart, tmp_path: Path, compiler: str, standard: str, scalar: str) -> str:
+    flags = (compiler, *STRICT[1:], f"-std={standard}", f"-DTYPE={scalar}", "-Wfloat-equal", "-Wold-style-cast")
+    quiet = ("-fsyntax-only", f"-I{headers}", f"-isystem{HERE}")
+    command = [*flags, *quiet, str(alone(headers, chart, tmp_path))]
+    return subprocess.run(command, capture_output=True, text=True).stderr
+
+
+@pytest.mark.parametrize(("chart", "scalar"), [(Cayley(2), "Jet<6>"), (OTHERS[0], "float"), (OTHERS[1], "Jet<6>")])
+def test_every_function_compiles_alone(chart, scalar, tmp_path, headers):
+    assert compile_alone(headers, chart, tmp_path, COMPILERS[0], "c++11", scalar) == ""
+
+
+@pytest.mark.thorough
+@pytest.mark.parametrize("compiler", COMPILERS)
+def test_every_function_of_every_chart_compiles_alone(compiler, tmp_path):
+    files.write(tmp_path / "all", print_package(committed(), Otherwise(C, companions=C.further)).texts)
+    ways = itertools.cycle(itertools.product(("Jet<6>", "double", "float"), ("c++11", "c++17", "c++2b")))
+    for chart, (scalar, standard) in zip(committed(), ways):
+        assert compile_alone(tmp_path / "all", chart, tmp_path, compiler, standard, scalar) == "", chart.name
+
+
+def test_a_missing_overload_is_refused(tmp_path, headers):
+    wrong = tmp_path / "headers"
+    shutil.copytree(headers, wrong)
+    text = (wrong / "dualcay.h").read_text(encoding="utf-8")
+    (wrong / "dualcay.h").write_text(re.sub(r".*dualcay_atan2\(const Real &y, int x\).*", "", text), encoding="utf-8")
+    assert "dualcay_atan2" in compile_alone(wrong, Cayley(2), tmp_path, COMPILERS[0], "c++11", "Jet<6>")
 
 
 # --- prime fields -----------------------------------------------------------------------------------------------

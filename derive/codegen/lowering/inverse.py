@@ -1,42 +1,49 @@
 """Inverse maps and composition.
 
 Each inverse map computes Re v; the dual part follows as v° = T⁻¹ ρ, with T = Re dcay at Re v. Signs follow the
-principal quaternion, which has a scalar part >= 0. A scalar part 0 leaves the given vector part unchanged.
+principal quaternion, which has a scalar part >= 0. Within rounding of half a turn, where the scalar part is 0 up to
+rounding, the given vector part stands. Every component of v is NaN if a component of the argument is not finite.
 """
 
 from __future__ import annotations
 
 from ...algebra import Quaternion, Vector
+from ...maps.scalars import NOISE_GIVEN
 from ..programs.value import Number
 from .forward import rotated, rows_of, translation
 from .kinematics import opposite
 from .point import Geometry, Numbers, Point, Results
 
 
-def dual_part(trace: Geometry, fi: Number, hi: Number, v: Vector, rho: Vector) -> Vector:
-    """Return the dual part v° = T⁻¹ ρ = (fi ρ − v × ρ + hi (v·ρ) v)/2."""
-    along = trace.name("along", hi * v.dot(rho))
-    du: Vector = (fi * rho - v.cross(rho) + along * v) / 2
+def dual_part(trace: Geometry, fi: Number, hi: Number, v: Vector, half: Vector) -> Vector:
+    """Return the dual part v° = T⁻¹ ρ = fi r − v × r + hi (v·r) v, for half the translation, r = ρ/2."""
+    half = trace.vector("shift", half)
+    along = trace.name("along", hi * v.dot(half))
+    du: Vector = fi * half - v.cross(half) + along * v
     return du
 
 
 def vector_of(trace: Geometry) -> Results:
-    """Vector v = gain vec e of a quaternion e.
+    """Vector v = gain vec e of a quaternion e of a size; NaN if `whole` is not finite.
 
-    The dual part is v° = T⁻¹ ρ.
+    The dual part is v° = T⁻¹ ρ, with ρ = 2 r; v is NaN if r is not finite.
     """
-    (gain,) = trace.numbers("gain")
     e0, *vector = trace.components("e", "e", 4)
-    rho = trace.real_vector("rho", dual="°")
-    v = trace.vector("v", gain * Vector(*vector))
-    fi, hi = trace.ask("inverse_scalars", (Point(trace, (*v, 0, 0, 0)).x, trace.name("fe", gain * e0)))
-    return *v, *dual_part(trace, fi, hi, v, rho)
+    size, whole = trace.numbers("size", "whole")
+    half = trace.real_vector("r", dual="°")
+    (gain,) = trace.ask("gain", (e0, *vector, size))
+    every = trace.name("every", sum(half, start=whole))
+    factor = trace.name("factor", gain + (every - every))
+    v = trace.vector("v", factor * Vector(*vector))
+    fi, hi = trace.ask("inverse_scalars", (Point(trace, (*v, 0, 0, 0)).x, trace.name("fe", factor * e0)))
+    return *v, *dual_part(trace, fi, hi, v, half)
 
 
 def quaternion_of(trace: Geometry) -> Results:
-    """Positive multiple of the quaternion of a rotation Q, with scalar part >= 0.
+    """Multiple of the quaternion of a rotation Q, and its size; the first component of its vector part is positive.
 
-    The result is the row of 4 q qᵀ with the largest diagonal entry, which loses no digits.
+    The multiple is the row of 4 q qᵀ with the largest diagonal entry, which loses no digits. A first component that is
+    0 up to rounding does not count.
     """
     (q11, q12, q13), (q21, q22, q23), (q31, q32, q33) = rows_of(trace.components("Q", "Q", 9))
     a, b, c = (trace.name(f"a{i}", d) for i, d in enumerate((q32 - q23, q13 - q31, q21 - q12), 1))
@@ -52,16 +59,14 @@ def quaternion_of(trace: Geometry) -> Results:
         best = trace.name(f"best{step}", trace.where(larger, size, best))
         pairs = zip(row, entries, strict=True)
         entries = tuple(trace.name(f"z{step}{i}", trace.where(larger, new, old)) for i, (new, old) in enumerate(pairs))
-    return _positive(trace, entries)
-
-
-def _positive(trace: Geometry, entries: tuple[Number, ...]) -> tuple[Number, ...]:
-    """Return a quaternion or its opposite, so that the first component that is not 0 is positive."""
-    negative: Number = trace.less(entries[3], 0)
-    for entry in (entries[2], entries[1], entries[0]):
-        negative = trace.either(trace.less(entry, 0), trace.both(trace.equal(entry, 0), negative))
+    size = trace.name("size", trace.sqrt(Quaternion.from_components(entries).norm2()))
+    negative = trace.less(entries[3], 0)
+    for i in (2, 1):
+        beside = trace.name(f"beside{i}", size + entries[i] / NOISE_GIVEN)
+        negative = trace.either(trace.less(beside, size), trace.both(trace.equal(beside, size), negative))
     sign = trace.name("sign", trace.where(negative, -1, 1))
-    return tuple(sign * entry for entry in entries)
+    names = ("0", "1", "2", "3", "size")
+    return dict(zip(names, (*(sign * entry for entry in entries), size), strict=True))
 
 
 def displacement(trace: Geometry) -> Results:
@@ -92,24 +97,25 @@ def composed(trace: Geometry) -> Results:
     return dict(zip(names, (*(e2 * e1), *(rho2 + moved)), strict=True))
 
 
-def product(trace: Geometry, second: Numbers, first: Numbers) -> tuple[Numbers, Numbers, Numbers]:
-    """Return e and ρ of R(second) R(first), and the sizes of both quaternions."""
+def product(trace: Geometry, second: Numbers, first: Numbers) -> tuple[Numbers, Numbers, Number]:
+    """Return e and ρ of R(second) R(first), and the size of e."""
     *e2, size2, f, g, r1, r2, r3 = trace.apply(displacement, "{}_2", second)
     *e1, size1, _, _, s1, s2, s3 = trace.apply(displacement, "{}_1", first)
     found = trace.apply(composed, "{}", e2, f, g, second, (r1, r2, r3), e1, (s1, s2, s3))
-    return found[:4], found[4:], (size2, size1)
+    return found[:4], found[4:], trace.name("size", size2 * size1)
 
 
 def from_quaternion(trace: Geometry) -> Results:
-    """Vector v = gain vec q̂ of a unit dual quaternion q̂, CP23 (47).
+    """Vector v = gain vec q̂ of a dual quaternion q̂ of any norm, CP23 (47).
 
-    The dual part is v° = T⁻¹ ρ with ρ = 2 vect(q̂° q̂*), CP23 Theorem 5.
+    The dual part is v° = T⁻¹ ρ with ρ = 2 vect(q̂° q̂*)/|q|², CP23 Theorem 5.
     """
     parts = trace.inputs("e", [f"e{i}{mark}" for mark in ("", "o") for i in range(4)])
     e, eo = Quaternion.from_components(parts[:4]), Quaternion.from_components(parts[4:])
-    rho = 2 * (e.scalar * eo.vector - eo.scalar * e.vector + e.vector.cross(eo.vector))
-    (gain,) = trace.ask("gain_unit", tuple(e))
-    return trace.apply(vector_of, "v{}", gain, e, rho)
+    square = trace.name("square", e.norm2())
+    size, inverse = trace.name("size", trace.sqrt(square)), trace.name("inverse", trace.div(1, square))
+    half = inverse * (e.scalar * eo.vector - eo.scalar * e.vector + e.vector.cross(eo.vector))
+    return trace.apply(vector_of, "v{}", e, size, trace.name("whole", size + inverse), half)
 
 
 def from_tensor(trace: Geometry) -> Results:
@@ -120,29 +126,27 @@ def from_tensor(trace: Geometry) -> Results:
     entries = trace.inputs("R", [f"R{i}{j}{mark}" for mark in ("", "o") for i in (1, 2, 3) for j in (1, 2, 3)])
     rotation, dual = rows_of(entries[:9]), rows_of(entries[9:])
     product = [[d.dot(q) for q in rotation] for d in dual]
-    rho = Vector(product[2][1] - product[1][2], product[0][2] - product[2][0], product[1][0] - product[0][1]) / 2
-    return _from_rotation(trace, entries[:9], rho)
+    twice = Vector(product[2][1] - product[1][2], product[0][2] - product[2][0], product[1][0] - product[0][1])
+    return _from_rotation(trace, entries[:9], twice / 4)
 
 
 def from_pose(trace: Geometry) -> Results:
     """Vector v of a homogeneous matrix [[Q, ρ], [0, 1]], with the dual part v° = T⁻¹ ρ."""
     entries = trace.inputs("T", [f"{'Q' if j < 4 else 'T'}{i}{j}" for i in (1, 2, 3, 4) for j in (1, 2, 3, 4)])
     rotation = (*entries[:3], *entries[4:7], *entries[8:11])
-    return _from_rotation(trace, rotation, (entries[3], entries[7], entries[11]))
+    return _from_rotation(trace, rotation, Vector(entries[3], entries[7], entries[11]) / 2, entries[12:])
 
 
-def _from_rotation(trace: Geometry, Q: tuple[Number, ...], rho: Vector | tuple[Number, ...]) -> tuple[Number, ...]:
-    e = trace.apply(quaternion_of, "e{}", Q)
-    (gain,) = trace.ask("gain_positive", e)
-    return trace.apply(vector_of, "v{}", gain, e, rho)
+def _from_rotation(trace: Geometry, Q: Numbers, half: Vector, others: Numbers = ()) -> Numbers:
+    *e, size = trace.apply(quaternion_of, "e{}", Q)
+    return trace.apply(vector_of, "v{}", e, size, trace.name("whole", sum(others, start=size)), half)
 
 
 def compose(trace: Geometry) -> Results:
     """Principal vector v of R(v2) R(v1), CP23 (58)."""
     v2, v1 = trace.components("v2", "b", 6), trace.components("v1", "a", 6)
-    e, rho, sizes = product(trace, v2, v1)
-    (gain,) = trace.ask("gain_product", (*e, *sizes))
-    return trace.apply(vector_of, "v{}", gain, e, rho)
+    e, rho, size = product(trace, v2, v1)
+    return trace.apply(vector_of, "v{}", e, size, size, trace.vector("r", Vector(*rho) / 2))
 
 
 def between(trace: Geometry) -> Results:

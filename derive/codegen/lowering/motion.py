@@ -65,8 +65,8 @@ class _Followed:
         trace, name = self.trace, self.trace.name
         ss = name("ss" + mark, q.vector.dot(q.vector))
         still = name("still" + mark, trace.equal(ss, 0))
-        # never take the root of 0: its infinite slope times 0 would spoil the gradient
-        root = name("root" + mark, trace.sqrt(trace.where(still, 1 + ss, ss)))
+        # never take the root of 0: its infinite slope times 0 would spoil the gradient; NaN where the square overflows
+        root = name("root" + mark, trace.sqrt(trace.where(still, 1 + ss, ss)) + (ss - ss))
         length = trace.where(still, ss, self.side * root)
         sine = name("sine" + mark, trace.where(self.apart, length, q.vector.dot(self.axis)))
         sign = name("sign" + mark, trace.where(self.apart, self.side, 1))
@@ -88,7 +88,7 @@ class _Followed:
         # near whole turns take the axis of v1; elsewhere the axis of z is as accurate and has the slope of the motion
         clear = name("clear", trace.either(self.apart, trace.less(trace.abs(z.scalar), trace.abs(sine))))
         pairs = zip(factor * z.vector, size * self.axis, strict=True)
-        re = trace.vector("v_", Vector(*(where(clear, one, other) for one, other in pairs)))
+        re = trace.vector("v_", trace.inside(Vector(*(where(clear, one, other) for one, other in pairs))))
         fi = name("fe", factor * z.scalar)
         (hi,) = trace.ask("inverse_at", (Point(trace, (*re, 0, 0, 0), "w").x, fi, angle))
-        return (*re, *dual_part(trace, fi, hi, re, rho))
+        return (*re, *dual_part(trace, fi, hi, re, rho / 2))

@@ -96,6 +96,13 @@ class Geometry(Trace):
     def vector(self, letter: str, value: Vector) -> Vector:
         return Vector(*(self.name(f"{letter}{i}", component) for i, component in enumerate(value, 1)))
 
+    def inside(self, v: Vector) -> Vector:
+        """Return a vector of the chart, taken back to the edge if rounding has put it beyond."""
+        made = self.vector("made", v)
+        (inside,) = self.ask("inside", (Point(self, (*made, 0, 0, 0), "made").x,))
+        kept: Vector = inside * made
+        return kept
+
 
 def dual_tensor(entries: Sequence[Number]) -> Tensor:
     """Return the dual tensor of 18 entries, real parts first."""

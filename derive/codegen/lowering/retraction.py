@@ -44,7 +44,8 @@ def nearest(trace: Geometry) -> Results:
     e = Quaternion.from_components(trace.components("e", "e", 4))
     ss = trace.name("ss", e.vector.dot(e.vector))
     still, resting = trace.name("still", trace.equal(ss, 0)), trace.name("resting", trace.equal(point.x, 0))
-    length = trace.name("length", trace.sqrt(trace.where(still, 1 + ss, ss)))
+    # NaN where the square overflows
+    length = trace.name("length", trace.sqrt(trace.where(still, 1 + ss, ss)) + (ss - ss))
     r = trace.name("r", trace.sqrt(trace.where(resting, 1 + point.x, point.x)))
     (own,) = trace.ask("unfolded", (point.x, r))
     share = trace.where(resting, 0, own / r)
@@ -62,23 +63,25 @@ def nearest(trace: Geometry) -> Results:
     size, slope = trace.ask("coefficient_of", (alpha, sine, e.scalar), "n")
     rest = 2 * slope / trace.name("z0s", trace.where(still, e.scalar, length))
     factor = trace.name("factor", trace.where(still, rest, size / length))
-    results = (*(factor * e.vector), factor * e.scalar, alpha)
+    results = (*trace.inside(factor * e.vector), factor * e.scalar, alpha)
     return dict(zip(("w1", "w2", "w3", "fe", "angle"), results, strict=True))
 
 
 def logarithm(trace: Geometry) -> Results:
-    """Logarithm δ of a displacement, from a positive multiple e of the quaternion of exp(δ).
+    """Logarithm δ of a displacement, from a positive multiple e, of a given size, of the quaternion of exp(δ).
 
     The dual part is T⁻¹ ρ.
     """
     e = Quaternion.from_components(trace.components("e", "e", 4))
+    (size,) = trace.numbers("size")
     rho = trace.real_vector("rho", dual="°")
-    factor = EXPONENTIAL.gain(e, 1, trace)
+    ss = e.vector.dot(e.vector)
+    factor = trace.name("factor", EXPONENTIAL.gain(e, size, trace) + (ss - ss))  # NaN where the square overflows
     re = trace.vector("d", factor * e.vector)
     first, second, third = Point(trace, (*re, 0, 0, 0)).squares
     at = PrincipalScalars(trace.name("x", first + second + third), trace)
     fe = trace.name("fe", factor * e.scalar)
-    return *re, *dual_part(trace, fe, at.hi, re, rho)
+    return *re, *dual_part(trace, fe, at.hi, re, rho / 2)
 
 
 def retract(trace: Geometry) -> Results:
@@ -96,7 +99,7 @@ def _retract(trace: Geometry, body: bool) -> Results:
     s, w, f, g, h, *_ = trace.apply(exponential_scalars, "{}", delta[:3])
     re, fe, angle, rho = retracted(trace, (s, w, f, g, h), delta, v, body)
     (hi,) = trace.ask("inverse_at", (Point(trace, (*re, 0, 0, 0)).x, fe, angle))
-    return *re, *dual_part(trace, fe, hi, re, rho)
+    return *re, *dual_part(trace, fe, hi, re, rho / 2)
 
 
 def retract_jacobians(trace: Geometry) -> Results:
@@ -105,7 +108,7 @@ def retract_jacobians(trace: Geometry) -> Results:
     s, w, f, g, h, *slopes = trace.apply(exponential_scalars, "{}", delta[:3])
     re, fe, angle, rho = retracted(trace, (s, w, f, g, h), delta, v)
     fi, hi, fiy, hiy = trace.ask("tangent_inv_at", (Point(trace, (*re, 0, 0, 0)).x, fe, angle))
-    du = dual_part(trace, fi, hi, re, rho)
+    du = dual_part(trace, fi, hi, re, rho / 2)
     back = trace.apply(tangent_inverse_at, "back{}", fi, hi, fiy, hiy, (*re, *du))
     R = trace.apply(tensor_at, "R{}", f, g, h, delta)
     turned = trace.apply(dual_product, "RT{}", R, trace.apply(tangent, "T{}", v))
@@ -123,8 +126,8 @@ def body_retract_jacobians(trace: Geometry) -> Results:
 def local(trace: Geometry) -> Results:
     """Step δ from v1 to v2 in space, exp(δ) = R(v2) R(v1)⁻¹."""
     v2, v1 = trace.components("v2", "b", 6), trace.components("v1", "a", 6)
-    e, rho, _ = product(trace, v2, opposite(v1))
-    return trace.apply(logarithm, "d{}", e, rho)
+    e, rho, size = product(trace, v2, opposite(v1))
+    return trace.apply(logarithm, "d{}", e, size, rho)
 
 
 def body_local(trace: Geometry) -> Results:

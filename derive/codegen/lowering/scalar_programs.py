@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any
@@ -12,7 +11,6 @@ import sympy
 from ...algebra import Quaternion
 from ...maps.chart import Chart
 from ...maps.multiple import FURTHER_POWERS, POWERS
-from ...maps.phi_error import SYMBOLIC_ONLY, PhiError
 from ...maps.real_constants import number, plus
 from ..programs.program import Constant, Program
 from ..programs.trace import Trace
@@ -43,15 +41,14 @@ FORMULAS: Mapping[str, tuple[str, str, tuple[str, ...]]] = {
     "tangent_inv_scalars": ("fi, hi of T^-1 with slopes `fiy = 2 dfi/dx`, hiy", "", ("tangent_inv",)),
     "tangent_inv_dot_scalars": ("fi, hi of T^-1 with slopes fiy, hiy and second slopes fiyy, hiyy", "", ()),
     "ray": ("`a + b v = size q` for the unit quaternion q, size > 0, and f, g, h of R and T", "`a/b = p/q`", ()),
-    "gain_unit": ("`v = gain vec q` for a unit quaternion q, `gain = phi/sin(alpha/2)`", "", ()),
-    "gain_positive": ("`v = gain vec q` for a quaternion q of any size with e0 >= 0", "", ()),
-    "gain_product": ("`v = gain vec q` for a product q of quaternions of size2 and size1", "", ()),
+    "gain": ("`v = gain vec q` for a quaternion of this size, size 1: `gain = phi/sin(alpha/2)`", "", ()),
+    "inside": ("factor that takes a vector of square x back to the edge; 1 within the chart", "", ()),
     "direction": ("sign of the principal axis along v, from the length r of v and y, the product of v and v°", "", ()),
     "natural": ("principal angle, d alpha/d r and sign of the axis, from x, y and the length r of v", "", ()),
     "unfolded": ("angle of `v = r u` on its own branch", "", ()),
     "reached": ("alpha reduced by whole turns to the range of the chart", "", ()),
     "turned": ("coefficient rk of the vector rk u on another branch of r u, drk/dr and d²rk/dr²", "", ()),
-    "beyond": ("truth of x > limit, beyond the principal branch, and the turn back", "", ()),
+    "beyond": ("truth of x > limit, beyond the principal branch, x or the limit, and the turn back", "", ()),
     "coefficient": ("`r = phi(alpha)` and phi'", "", ()),
     "coefficient_of": ("`r = phi(alpha)` and phi', the sine and cosine of alpha/2 known but for their size", "", ()),
 }
@@ -91,25 +88,17 @@ def _ray(chart: Chart, trace: Trace, x: Number) -> tuple[Number, ...]:
     return *at.ray, at.f, at.g, at.h
 
 
-def _gain_positive(chart: Chart, trace: Trace, *e: Number) -> tuple[Number]:
-    q = Quaternion.from_components(e)
-    return (chart.gain(q, trace.name("size", trace.sqrt(q.norm2())), trace, positive=True),)
-
-
-def _gain_product(chart: Chart, trace: Trace, *e: Number) -> tuple[Number]:
-    return (chart.gain(Quaternion.from_components(e[:4]), trace.name("size", e[4] * e[5]), trace),)
+def _gain(chart: Chart, trace: Trace, *e: Number) -> tuple[Number]:
+    return (chart.gain(Quaternion.from_components(e[:4]), e[4], trace),)
 
 
 def _beyond(chart: Chart, trace: Trace, x: Number, *table: Number) -> tuple[Number, ...]:
-    selected, turn = chart.beyond(x, table, trace)
-    return selected, *turn
+    selected, place, turn = chart.beyond(x, table, trace)
+    return selected, place, *turn
 
 
 def _reached(chart: Chart, trace: Trace, angle: Number) -> tuple[Number]:
     """Return α ≥ 0 unchanged up to the edge; beyond it, subtract the fewest whole turns that end in the chart."""
-    if float(chart.edge) < math.pi:
-        reason = f"ends at alpha = {chart.edge}, and poses that turn further, up to pi, have no v"
-        raise PhiError(f"phi = {chart.phi} {reason}: {SYMBOLIC_ONLY}")
     if chart.edge.is_infinite:
         return (angle,)
     zero = trace.name("zero", angle - angle)
@@ -140,15 +129,14 @@ SCALARS: Mapping[str, Scalar] = {
     "tangent_inv_scalars": Scalar(("x",), ("fi", "hi", "fiy", "hiy")),
     "tangent_inv_dot_scalars": Scalar(("x",), ("fi", "hi", "fiy", "hiy", "fiyy", "hiyy")),
     "ray": Scalar(("x",), ("a", "b", "size", "f", "g", "h"), _ray),
-    "gain_unit": Scalar(E, ("gain",), lambda c, m, *e: (c.gain(Quaternion.from_components(e), 1, m),)),
-    "gain_positive": Scalar(E, ("gain",), _gain_positive),
-    "gain_product": Scalar((*E, "size2", "size1"), ("gain",), _gain_product),
+    "gain": Scalar((*E, "size"), ("gain",), _gain),
+    "inside": Scalar(("x",), ("inside",), lambda c, m, x: (c.inside(x, m),)),
     "direction": Scalar(("x", "y", "r"), ("sign",), lambda c, m, *at: (c.direction(*at, m),)),
     "natural": Scalar(("x", "y", "r"), ("angle", "slope", "sign"), lambda c, m, *at: c.natural(*at, m)),
     "unfolded": Scalar(("x", "r"), ("own",), lambda c, m, *at: (m.name("own", c.unfolded(*at, m)),)),
     "reached": Scalar(("alpha",), ("within",), _reached),
     "turned": Scalar(("r", "cos", "sin"), ("rk", "slope", "bend"), lambda c, m, r, *turn: c.turned(r, turn, m)),
-    "beyond": Scalar(("x", "table"), ("beyond", "cosine", "sine"), _beyond, truths=("beyond",)),
+    "beyond": Scalar(("x", "table"), ("beyond", "place", "cosine", "sine"), _beyond, truths=("beyond",)),
     "coefficient": Scalar(("alpha",), ("r", "slope"), lambda c, m, alpha: c.coefficient(alpha, m)),
     "coefficient_of": Scalar(("alpha", "sine", "cosine"), ("r", "slope"), lambda c, m, *at: c.coefficient_of(*at, m)),
 }
@@ -182,7 +170,7 @@ def scalar_programs(chart: Chart) -> dict[str, Program]:
 def scalar_program(name: str, chart: Chart) -> Program:
     """Return a scalar program of a chart.
 
-    Constant fractions, and a constant size that `gain_product` divides by, take the type of the first argument. Other
+    Constant fractions, and a constant size that `gain` reads, take the type of the first argument. Other
     integers are returned unchanged, since no program divides them.
     """
     row, trace = SCALARS[name], Trace()
@@ -194,7 +182,7 @@ def scalar_program(name: str, chart: Chart) -> Program:
     zero = trace.name(trace.free_name("zero"), arguments[0] - arguments[0])
     one = trace.name(trace.free_name("one"), zero + 1)
     for i, (letter, result) in enumerate(zip(row.results, results, strict=True)):
-        divided = letter == "size" and "size1" in scalar_program("gain_product", chart).operands
+        divided = letter == "size" and "size" in scalar_program("gain", chart).operands
         if isinstance(result, Constant) and (result.denominator != 1 or divided):
             results[i] = trace.name(trace.free_name(letter), result * one)
     return trace.program(name, results)

@@ -19,7 +19,7 @@ Axis = tuple[Number, Vector, Number, Vector]
 def turn(trace: Geometry) -> Results:
     """Vector φ(α + 2kπ) u, which is v turned further by k whole turns about its own axis, CP23 (49)."""
     point = trace.point()
-    return _turned(trace, point, _axis(trace, point), *trace.inputs(TABLE, ("cos", "sin")))
+    return _inside(trace, _turned(trace, point, _axis(trace, point), *trace.inputs(TABLE, ("cos", "sin"))))
 
 
 def shadow(trace: Geometry) -> Results:
@@ -29,15 +29,15 @@ def shadow(trace: Geometry) -> Results:
     axis = _axis(trace, point)
     # take the length from the axis, not from x: only then the gradient is finite at Re v = 0
     (sign,) = trace.ask("direction", (point.x, point.y, axis[0]))
-    return _turned(trace, point, axis, cosine, point.name("sn", sign * sine))
+    return _inside(trace, _turned(trace, point, axis, cosine, point.name("sn", sign * sine)))
 
 
 def principal(trace: Geometry) -> Results:
     """Principal vector of v, turned back as the table of returns says for x; a principal v is returned unchanged."""
     point = trace.point()
     trace.inputs(TABLE, ())  # only the chart knows its length
-    beyond, cosine, sine = trace.ask("beyond", (point.x,))
-    turned = _turned(trace, point, _axis_where(trace, point, beyond), cosine, sine)
+    beyond, place, cosine, sine = trace.ask("beyond", (point.x,))
+    turned = _turned(trace, point, _axis_at(trace, point, place), cosine, sine)
     return [trace.where(beyond, back, stay) for back, stay in zip(turned, point.components, strict=True)]
 
 
@@ -61,13 +61,27 @@ def shadow_jacobian(trace: Geometry) -> Results:
     return entries6(trace, Tensor.from_entries(entries))
 
 
-def identity_jacobian(trace: Geometry) -> Results:
-    """Identity I, the derivative of a shadow by no turn; NaN where v is not finite."""
+def stay(trace: Geometry) -> Results:
+    """Vector v itself, the shadow by no turn; NaN where q̂ is not finite."""
     point = trace.point()
-    none = point.name("none", sum(c - c for c in point.components))
+    one = point.name("one", 1 + _none(point))
+    return [one * c for c in point.components]
+
+
+def identity_jacobian(trace: Geometry) -> Results:
+    """Identity I, the derivative of a shadow by no turn; NaN where v or q̂ is not finite."""
+    point = trace.point()
+    none = point.name("none", sum((c - c for c in point.components), _none(point)))
     one, zero = Dual(point.name("one", 1 + none), none), Dual(none, none)
     identity = Tensor(((one, zero, zero), (zero, one, zero), (zero, zero, one)))
     return entries6(trace, identity)
+
+
+def _none(point: Point) -> Number:
+    """Return 0; NaN where q̂ is not finite."""
+    s, w, _, _ = point.scalars("quaternion_scalars")
+    none: Number = (s - s) + (w - w)
+    return none
 
 
 def _axis(trace: Geometry, point: Point) -> Axis:
@@ -102,9 +116,9 @@ def axis_of(trace: Geometry) -> Results:
     return dict(zip(("r", "u1", "u2", "u3", "ro", "u1o", "u2o", "u3o"), results, strict=True))
 
 
-def _axis_where(trace: Geometry, point: Point, selected: Number) -> Axis:
-    """Return |v| and v/|v| where ``selected``, with Re v ≠ 0; elsewhere return unused numbers with finite gradients."""
-    size = point.name("r", trace.sqrt(trace.where(selected, point.x, 1 + point.x)))
+def _axis_at(trace: Geometry, point: Point, square: Number) -> Axis:
+    """Return |v| and v/|v| where ``square`` is v·v, with Re v ≠ 0; elsewhere unused numbers with finite gradients."""
+    size = point.name("r", trace.sqrt(square))
     u = trace.vector("u", point.re / size)
     size_du = point.name("ro", u.dot(point.du))
     moment = trace.vector("uo", (point.du - trace.vector("ru", size_du * u)) / size)
@@ -117,6 +131,10 @@ def _turned(trace: Geometry, point: Point, axis: Axis, cosine: Number, sine: Num
     length, slope, _ = trace.ask("turned", (size, cosine, sine))
     length_du = point.name("rko", size_du * slope)
     return (*(length * u), *(length * moment + length_du * u))
+
+
+def _inside(trace: Geometry, found: tuple[Number, ...]) -> tuple[Number, ...]:
+    return *trace.inside(Vector(*found[:3])), *found[3:]
 
 
 def to_screw(trace: Geometry) -> Results:
@@ -136,22 +154,21 @@ def angle(trace: Geometry) -> Results:
     The dual part is r° (f + x h), since dα/dr = f + x h.
     """
     point = trace.point()
-    _, _, distance, _ = _axis(trace, point)
+    length, _, distance, _ = _axis(trace, point)
     f, _, h = point.scalars("pose_scalars")
-    resting = trace.name("resting", trace.equal(point.x, 0))
-    length = trace.name("rown", trace.sqrt(trace.where(resting, 1 + point.x, point.x)))
     (own,) = trace.ask("unfolded", (point.x, length))
-    return trace.where(resting, point.x, own), distance * (f + point.x * h)
+    return own, distance * (f + point.x * h)
 
 
 def from_screw(trace: Geometry) -> Results:
     """Vector v = φ(α) u, in dual numbers."""
     angle, distance = trace.inputs("angle", ("alpha", "alphao"))
-    line = trace.point("line", "u").v
-    u, moment = line.re, line.du
+    line = trace.point("line", "u")
+    u, moment = line.v.re, line.v.du
     size, slope = trace.ask("coefficient", (angle,))
-    size_du = trace.name("ro", distance * slope)
-    return *(size * u), *(size * moment + size_du * u)
+    every = trace.name("every", sum((distance, *line.components), start=angle))
+    size, size_du = trace.name("size", size + (every - every)), trace.name("ro", distance * slope)
+    return *trace.inside(size * u), *(size * moment + size_du * u)
 
 
 def to_exponential(trace: Geometry) -> Results:
@@ -171,14 +188,14 @@ def from_exponential(trace: Geometry) -> Results:
     (angle,) = trace.ask("reached", (trace.name("alpha", trace.where(resting, point.x, length)),))
     size, slope = trace.ask("coefficient", (angle,), "n")
     share = trace.name("share", trace.where(resting, slope, size / length))
-    return _rescaled(trace, point, square, share, slope)
+    return _inside(trace, _rescaled(trace, point, square, share, slope))
 
 
 def _length(trace: Geometry, point: Point) -> tuple[Number, Number, Number]:
-    """Return whether |v| = 0, then |v|² and |v|; at |v| = 0 both are 1, to avoid the root of 0."""
+    """Return whether |v| = 0, then |v|² and |v|: both 1 at |v| = 0, to avoid the root of 0, and NaN for infinity."""
     resting = trace.name("resting", trace.equal(point.x, 0))
     square = trace.name("square", trace.where(resting, 1 + point.x, point.x))
-    return resting, square, trace.name("length", trace.sqrt(square))
+    return resting, square, trace.name("length", trace.sqrt(square) + (square - square))
 
 
 def _rescaled(trace: Geometry, point: Point, square: Number, share: Number, slope: Number) -> tuple[Number, ...]:

@@ -7,15 +7,17 @@ from __future__ import annotations
 
 import itertools
 from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import replace
+from functools import reduce
+from operator import or_
 from typing import Any
 
 from .program import Assignment, Call, Program, Statement
 
 LEAST_SAVING = 10  # least number of printed lines that a helper saves
 HEAD = 5  # number of printed lines of a helper in addition to its steps: comment, head, result, blank lines
-OPERATIONS_PER_CALL = 41
+OPERATIONS_PER_CALL = 31
 """Least number of operations for each helper that a program calls beyond two, since a call takes time."""
 
 MOST_PASSED = 12  # largest number of arguments of a helper, and of its results
@@ -27,10 +29,10 @@ def with_helpers(programs: Mapping[str, Program]) -> tuple[dict[str, Program], d
     helpers = dict[str, Program]()
     found = {name: _with_inline_zero(program) for name, program in programs.items()}
     for back in (False, True):
-        while candidates := list(_candidates(_with_room(found, programs), {*programs, *helpers}, back)):
-            _, helper, callers = max(candidates, key=lambda made: made[0])
+        while best := _best(_with_room(found, programs), {*programs, *helpers}, back):
+            helper, group, shared = best
             helpers[helper.name] = helper
-            found |= callers
+            found |= {key: _caller(found[key], helper, shared) for key in group}
     return helpers, found
 
 
@@ -48,25 +50,80 @@ def _with_inline_zero(program: Program) -> Program:
     return replace(program, statements=tuple(once.get(statement, statement) for statement in program.statements))
 
 
-def _candidates(
+def _best(
     programs: Mapping[str, Program], taken: set[str], back: bool
-) -> Iterator[tuple[int, Program, dict[str, Program]]]:
-    """Yield the saved lines, helper and callers for each set of programs that share a step; see `_closed`."""
-    written = {key: _written_out(program) for key, program in programs.items()}
-    steps = dict.fromkeys(step for found in written.values() for step in found.items())
-    groups = dict.fromkeys(tuple(key for key, found in written.items() if step in found.items()) for step in steps)
-    for group in groups:
-        common = set.intersection(*({*written[key].items()} for key in group))
-        shared, before = {letter for letter, _ in common}, set[str]()
-        while shared != before:
-            before = shared
-            shared = shared.intersection(*(_closed(shared, programs[key], back) for key in group))
-        saved = (len(group) - 1) * len(shared) - len(group) - HEAD
-        if saved < LEAST_SAVING:
-            continue
-        helper = _helper(taken, programs[group[0]], shared, [programs[key] for key in group])
+) -> tuple[Program, Sequence[str], set[str]] | None:
+    """Return the helper that saves most lines, its callers and the names that it holds; None if none saves enough."""
+    written = {key: {*_written_out(program).items()} for key, program in programs.items()}
+    steps = dict.fromkeys(step for program in programs.values() for step in _written_out(program).items())
+    groups = dict.fromkeys(tuple(key for key, found in written.items() if step in found) for step in steps)
+    common = [set.intersection(*(written[key] for key in group)) for group in groups]
+    saved = [(_saving(group, shared), place) for place, (group, shared) in enumerate(zip(groups, common, strict=True))]
+    best, found, listed = (LEAST_SAVING - 1, 0), None, list(groups)
+    for most, place in sorted(saved, key=lambda one: (-one[0], one[1])):
+        if most < max(best[0], LEAST_SAVING):
+            break
+        group = listed[place]
+        helper, shared = _helper_of(group, {letter for letter, _ in common[place]}, programs, taken, back)
+        if helper and (_saving(group, shared), -place) > best:
+            best, found = (_saving(group, shared), -place), (helper, group, shared)
+    return found
+
+
+def _saving(group: Sequence[str], shared: Collection[Any]) -> int:
+    return (len(group) - 1) * len(shared) - len(group) - HEAD
+
+
+def _helper_of(
+    group: Sequence[str], shared: set[str], programs: Mapping[str, Program], taken: set[str], back: bool
+) -> tuple[Program | None, set[str]]:
+    """Return a helper for a group of programs and its names; they are narrowed if too many values would be passed."""
+    callers = [programs[key] for key in group]
+    for narrowed in (False, True):
+        shared = _closed_in_all(_narrow(shared, callers[0]) if narrowed else shared, callers, back)
+        if _saving(group, shared) < LEAST_SAVING:
+            break
+        helper = _helper(taken, callers[0], shared, callers)
         if max(len(helper.inputs), len(helper.outputs)) <= MOST_PASSED:
-            yield saved, helper, {key: _caller(programs[key], helper, shared) for key in group}
+            return helper, shared
+    return None, shared
+
+
+def _narrow(shared: set[str], program: Program) -> set[str]:
+    """Return the largest set of shared names on which one of them depends, and of which others read few names."""
+    steps = [step for step in program.steps if step.name in shared]
+    bits: dict[Any, int] = {step.name: 1 << place for place, step in enumerate(steps)}
+    above, through, readers = dict[Any, int](), dict[Any, int](), dict[Any, int](dict.fromkeys(bits, 0))
+    for statement in program.statements:
+        own = bits.get(statement.name, 0) if isinstance(statement, Assignment) else 0
+        read = _union(bits.get(arg, 0) | through.get(arg, 0) for arg in statement.args)
+        if isinstance(statement, Assignment):
+            above[statement.name] = own | _union(above.get(arg, 0) for arg in statement.args)
+            if statement.inline:
+                through[statement.name] = read
+                continue
+        for name in (name for name, bit in bits.items() if bit & read):
+            readers[name] |= own or 1 << len(steps)
+
+    def passed(inside: int) -> int:
+        return sum(1 for name, bit in bits.items() if bit & inside and readers[name] & ~inside)
+
+    few = [above[name] for name in bits if passed(above[name]) <= MOST_PASSED]
+    best = max(few, key=int.bit_count, default=0)
+    return {name for name, bit in bits.items() if bit & best}
+
+
+def _union(masks: Iterable[int]) -> int:
+    return reduce(or_, masks, 0)
+
+
+def _closed_in_all(shared: set[str], programs: Sequence[Program], back: bool) -> set[str]:
+    """Return the shared names that a helper can hold for all programs; see `_closed`."""
+    before = set[str]()
+    while shared != before:
+        before = shared
+        shared = shared.intersection(*(_closed(shared, program, back) for program in programs))
+    return shared
 
 
 def _written_out(program: Program) -> Steps:

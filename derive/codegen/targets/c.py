@@ -36,7 +36,7 @@ NAMES = {"R": "tensor", "T": "pose"}
 
 IDLE: Mapping[str, Program] = {
     name: Program(name, tuple((a, (a,)) for a in SCALARS[name].arguments if a != "table"), (), outputs)
-    for name, outputs in (("beyond", (0, 1, 0)), ("direction", (1,)), ("turned", (0, 0, 0)), ("rate_scalars", (1,)))
+    for name, outputs in (("beyond", (0, 1, 1, 0)), ("direction", (1,)), ("turned", (0, 0, 0)), ("rate_scalars", (1,)))
 }
 """Placeholders of scalar programs that geometry names but some charts never call."""
 
@@ -79,6 +79,8 @@ def levels(chart: ChartPrograms) -> dict[str, int]:
         scalars = (chart.scalars[call.function] for call in program.calls if call.function in chart.scalars)
         called = (found[other.name] for other in program.called)
         found[name] = max((level(program), *map(level, scalars), *called))
+    for name in ("shadow", "principal"):  # of no turn
+        found[name] = max(found[name], found["stay"])
     return found
 
 
@@ -120,6 +122,7 @@ def own_geometry(facts: Facts, programs: ChartPrograms, known: Mapping[str, Prog
         "prefix": prefix,
         "macro": prefix.upper(),
         "branches": chart.branches,
+        "ends": chart.ends,
         "singular": facts.singular,
         "aliases": programs.table.aliases(chart),
         "levels": levels(programs),

@@ -23,8 +23,8 @@ class Numpy(PythonTarget):
     options = "axis: int = -1, out: Array | None = None"
     files = (
         *PythonTarget.files, "_kernel.py", "_motion.py", "_multiple.py", "_native.py", "_other_vectors.py",
-        "_program.py", "_propagate.py", "_recorder.py", "_sequences.py", "_stepping.py", "_switching.py",
-        "_trajectory.py", "_twist.py", "interop.py",
+        "_prepared.py", "_program.py", "_propagate.py", "_recorder.py", "_sequences.py", "_stepping.py",
+        "_switching.py", "_trajectory.py", "_twist.py", "interop.py",
     )  # fmt: skip
     tools = ("dask", "interop")
     imports_bases = True

@@ -179,7 +179,7 @@ class PythonTarget(Target):
 
 def described(facts: Facts, table: Table) -> Data:
     """Return the constants of a chart that its modules for poses and for rotations state."""
-    names = ("title", "vector", "parameter", "branches", "order")
+    names = ("title", "vector", "parameter", "branches", "ends", "order")
     found = {name: getattr(facts.chart, name) for name in names}
     return {**found, "aliases": table.aliases(facts.chart), "singular": facts.singular}
 

@@ -96,6 +96,8 @@ def _seeded(chart: Vectors) -> tuple[Case, ...]:
     draw = random.Random(SEED)
     size = chart.component(COMPONENT_MAX * chart.slope(0), chart.first_pole)
     points = [[_short(draw.uniform(-most, most) for _ in range(6)) for most in (size, 2, 2)] for _ in range(POINTS)]
+    for angle in chart.chart.steep[:1]:
+        points.append([_short(c * chart.size(angle) / 3 for c in (1, -2, 2)) + points[0][0][3:], *points[0][1:]])
     return (*algebraic(chart, points), *selecting(chart, _drawn(chart, draw)))
 
 

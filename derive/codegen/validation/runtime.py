@@ -231,8 +231,8 @@ def slopes(at: Loaded) -> Iterator[Case]:
     part, chart = at.part("_slopes"), at.module().CHART
     m, c = at.part("_runtime").functions_of("x", np.ones(1)), part.Ruled(chart)
     x, e, turned = 0.0625, (0.8, 0.36, 0.48, 0.0), (-0.6, 0.48, 0.64, 0.0)
-    given = {1: ((x,), (1.0,)), 3: ((x / 2, x / 4, x / 4), (1.0, 0.5, -0.25)), 4: (e, turned)}
-    given |= {6: ((*e, 1.0, 1.0), (*turned, 0.0, 0.0))}
+    given = {1: ((x,), (1.0,)), 3: ((x / 2, x / 4, x / 4), (1.0, 0.5, -0.25))}
+    given |= {5: ((*e, 1.0), (*turned, 0.0))}
     for name, rule in part.SLOPES.items():
         row = SCALARS[name]
         if rule is None or name in MANIFOLD or len(row.arguments) not in given:

@@ -72,7 +72,7 @@ def _on_symbols(chart: Chart, row: Function, *formulas: Formula) -> Case:
 
 def _goes_back_by_roots(chart: Chart) -> bool:
     """Tell whether the inverse map takes at most `ROOTS_MAX` square roots and no trigonometry."""
-    operations = scalar_program("gain_unit", chart).operations
+    operations = scalar_program("gain", chart).operations
     return not operations.keys() & {"tan", "atan2"} and operations["sqrt"] <= ROOTS_MAX
 
 
@@ -97,9 +97,10 @@ def _seeded(chart: Vectors) -> Sequence[Case]:
 
 
 def _points(chart: Vectors) -> Iterator[Sequence[Flat]]:
-    """Yield the identity and seeded vectors, each with two further arguments."""
+    """Yield the identity, seeded vectors and vectors near the least φ′, each with two further arguments."""
     draw = random.Random(SEED)
-    for size in (mpmath.mpf(0), *(chart.size(mpmath.mpf(share) * chart.first_pole) for share in SIZES)):
+    seeded = (mpmath.mpf(share) * chart.first_pole for share in SIZES)
+    for size in (mpmath.mpf(0), *map(chart.size, (*seeded, *chart.chart.steep))):
         u = Vector(*(mpmath.mpf(draw.uniform(-1, 1)) for _ in range(3)))
         rest = [tuple(mpmath.mpf(draw.uniform(-2, 2)) for _ in range(count)) for count in (3, 6, 6)]
         yield (*(u * (size / u.magnitude())), *rest[0]), *rest[1:]
@@ -126,6 +127,8 @@ def _regimes(chart: Vectors, draw: random.Random) -> Iterator[Drawn]:
     yield from _far_steps(chart, screws[0], still)
     yield from _steps_to_pole(chart, screws[0])
     yield from _near_ties(chart, screws[0])
+    for angle in chart.chart.steep:
+        yield Drawn(Kind.VECTOR, (flat(screws[0].axis * chart.size(Dual(angle, screws[0].angle.du))),))
 
 
 def _pair(chart: Vectors, screw: Screw, other: Screw) -> Iterator[Drawn]:

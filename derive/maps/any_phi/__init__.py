@@ -6,9 +6,11 @@ therefore computed in two ranges of x. Each chart has its own limit between them
 ========================  ==========================================================================================
 near v = 0                ``a(x) = α/|v|`` is analytic. An interpolating polynomial replaces it, with a proved bound
                           of the error. Series (Stumpff functions) in ``ξ = x a²`` then give all scalars.
-beyond                    Newton's method finds the angle from ``|v|``. Scalars follow from α, φ and its derivatives.
+beyond                    A proved number of Newton's steps finds the angle from ``|v|``. Scalars follow from α, φ
+                          and its derivatives.
 ========================  ==========================================================================================
 
-In the order of their use: `grammar`, `expressions`, `edges`, `near_zero`, `first_guess`, `phi_values`, `general`,
-`parameterization`. Other rooms import the last one alone. This file imports nothing: `grammar` works without SymPy.
+In the order of their use: `grammar`, `expressions`, `intervals`, `edges`, `near_zero`, `rounding`, `first_guess`,
+`phi_values`, `general`, `parameterization`. Other rooms import the last one alone. This file imports nothing: `grammar`
+works without SymPy.
 """

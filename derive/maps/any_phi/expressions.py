@@ -22,9 +22,10 @@ from sympy.polys.polyerrors import CoercionFailed
 
 from ..families import alpha
 from ..phi_error import PhiError
+from ..polynomials import require_order
 from . import grammar
 
-ODD = (sympy.sin, sympy.tan, sympy.asin, sympy.atan, sympy.sinh, sympy.tanh)
+ODD = (sympy.sin, sympy.tan, sympy.asin, sympy.atan, sympy.sinh, sympy.tanh, sympy.asinh, sympy.atanh)
 EVEN = (sympy.cos, sympy.cosh)
 OPERATIONS: Mapping[type[ast.operator], Callable[[Any, Any], Any]] = {
     ast.Add: lambda a, b: a + b,
@@ -46,21 +47,49 @@ BY_EXPONENTIAL: Mapping[Any, Callable[[int], sympy.Expr]] = {
     sympy.cot: lambda k: (E ** (2 * k) + 1) / (E ** (2 * k) - 1) * I,
 }
 
+QUOTIENTS = {
+    sympy.sec: lambda u: 1 / sympy.cos(u), sympy.csc: lambda u: 1 / sympy.sin(u),
+    sympy.cot: lambda u: sympy.cos(u) / sympy.sin(u),
+}  # fmt: skip
+"""Functions that are replaced by quotients."""
+
+KNOWN = {getattr(sympy, name) for name in grammar.FUNCTIONS}
+
 Form = tuple[Fraction, Any, int]
 """Form (K, function, n) of ``K function(α/2n)``; (K, None, 1) for ``K α``."""
 
 
+def expression_of(phi: Any, order: int | None) -> sympy.Expr:
+    """Return a text or an expression as an elementary expression in `families.alpha`; `PhiError` gives the reason."""
+    if isinstance(phi, str):
+        return parsed(phi, order)
+    if not isinstance(phi, sympy.Expr):
+        raise PhiError(f"phi is a text or a SymPy expression in derive.alpha, given {phi!r}")
+    if other := sorted(map(str, phi.free_symbols - {alpha})):
+        same = f"{alpha} with other assumptions" if str(alpha) in other else ", ".join(other)
+        raise PhiError(f"phi = {phi} holds the symbol {same}: its only symbol is derive.alpha")
+    if other := sorted({f.func.__name__ for f in phi.atoms(sympy.Function) if f.func not in KNOWN}):
+        raise PhiError(f"phi = {phi} holds {', '.join(other)}; known functions are {', '.join(grammar.FUNCTIONS)}")
+    return _in_quotients(phi)
+
+
+def _in_quotients(phi: sympy.Expr) -> sympy.Expr:
+    for function, quotient in QUOTIENTS.items():
+        phi = phi.replace(function, quotient)
+    return phi
+
+
 def parsed(text: str, order: int | None = None) -> sympy.Expr:
     """Return a text as an expression in `families.alpha`, with `order` for n; `PhiError` names a refused part."""
-    text = text.strip(" ")
-    tree = grammar.syntax_tree(text)
+    text, order = text.strip(" "), order if order is None else require_order(order)
+    tree = grammar.PHI.tree(text)
     try:
         found = _Builder(text, order).build(tree)
     except ZeroDivisionError:
         raise PhiError(f"phi divides by zero: {text!r}") from None
     if found.has(sympy.zoo, sympy.nan, sympy.oo, -sympy.oo):
         raise PhiError(f"phi divides by zero: {text!r}")
-    return found
+    return _in_quotients(found)
 
 
 class _Builder:
@@ -72,7 +101,7 @@ class _Builder:
         """Return the expression of a node that `grammar` allows."""
         match node:
             case ast.Constant():
-                digits, exponent = grammar.decimal(node, self.text)
+                digits, exponent = grammar.PHI.decimal(node, self.text)
                 return sympy.Integer(digits) * sympy.Integer(10) ** exponent
             case ast.Name():
                 return self._name(node.id)
@@ -92,7 +121,7 @@ class _Builder:
 
     def _name(self, name: str) -> sympy.Expr:
         if name == "n" and self.order is None:
-            raise PhiError("phi holds n: give its value with -n")
+            raise PhiError("phi holds n: give its value, by -n or as order=")
         return {"alpha": alpha, "pi": sympy.pi, "n": sympy.Integer(self.order or 0)}[name]
 
     def _power(self, node: ast.BinOp) -> sympy.Expr:

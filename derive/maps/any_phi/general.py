@@ -10,8 +10,10 @@ Beyond the limit, with ``ρ = 1/φ′``, theorems on every φ give ``h = (ρ −
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Any
 
 import mpmath
 import sympy
@@ -19,15 +21,18 @@ import sympy
 from ...algebra import Coefficient
 from ...algebra.arithmetic import Arithmetic
 from .. import stumpff
+from ..angle import Angle
 from ..angle_chart import AngleChart
 from ..families import alpha
 from ..order_charts import Derivatives, half_angle
+from ..phi_error import SYMBOLIC_ONLY, PhiError
 from ..real_constants import plus
-from ..scalars import DependentScalars, scalar
+from ..scalars import NOISE, DependentScalars, scalar
 from .edges import PHI_DIGITS, Edge, edge_of
-from .first_guess import Guess, guess
+from .first_guess import Guess, from_end, guess
 from .near_zero import Ratio, ratio
-from .phi_values import PhiValues, require_known
+from .phi_values import PhiValues
+from .rounding import require_digits
 
 
 class GeneralScalars(DependentScalars):
@@ -37,7 +42,7 @@ class GeneralScalars(DependentScalars):
         super().__init__(x, m)
         self.chart = chart
         limit = chart.near.limit
-        self.is_near = m.name("near", m.less(limit.denominator * x, limit.numerator))
+        self.is_near = m.name("nearby", m.less(limit.denominator * x, limit.numerator))
 
     def _select(self, near: Coefficient, far: Coefficient) -> Coefficient:
         """Return `near` below the limit of x, and `far` beyond."""
@@ -80,9 +85,9 @@ class GeneralScalars(DependentScalars):
 
     @cached_property
     def _square(self) -> Coefficient:
-        """Value of x beyond the limit; elsewhere, an unused number beyond it."""
+        """Value of x beyond the limit; elsewhere the limit, an unused number."""
         limit = self.chart.near.limit
-        beside = self.m.div(limit.denominator * self.x + limit.numerator, limit.denominator)
+        beside = self.m.div(self.x - self.x + limit.numerator, limit.denominator)
         return self.m.name("xx", self.m.where(self.is_near, beside, self.x))
 
     _length = scalar(lambda at: at.m.sqrt(at._square), "length_x")
@@ -161,16 +166,23 @@ class General(AngleChart):
     def edge(self) -> sympy.Expr:
         return self._edge.angle
 
+    @property
+    def angle(self) -> sympy.Expr:
+        return Angle.at_square(self.phi, self.edge)
+
     @cached_property
     def near(self) -> Ratio:
         """Polynomials of a(x) and its derivatives, below a limit."""
-        require_known(self.expression)
         return ratio(self.expression, self._edge)
 
     @cached_property
     def far(self) -> Guess:
         """First guess of Newton's method beyond the limit."""
         return guess(self.expression, self._edge, self.near.limit)
+
+    @property
+    def steep(self) -> tuple[Any, ...]:
+        return self._edge.flat
 
     @property
     def remainder(self) -> float:
@@ -182,6 +194,22 @@ class General(AngleChart):
         with mpmath.workdps(PHI_DIGITS):
             size = float(self.phi.subs(alpha, self.edge).evalf(PHI_DIGITS))
         return f"v ends, at Re|v| = {size:.6g}", size
+
+    @property
+    def range(self) -> sympy.Expr:
+        return sympy.oo if self._edge.kind == "pole" else super().range
+
+    def require_kernels(self) -> None:
+        """Raise `PhiError` if kernels cannot compute the chart to full precision."""
+        try:
+            if float(self.edge) < math.pi:
+                end = self.edge if self.edge.has(sympy.pi) else self.edge.evalf(8)
+                reason = f"ends at alpha = {end}, and poses that turn further, up to pi, have no v"
+                raise PhiError(f"phi = {self.phi} {reason}")
+            require_digits(self.expression, self._edge, self.inverse(mpmath.sqrt(float(self.near.limit))))
+            _ = self.far
+        except PhiError as error:
+            raise PhiError(f"{error}: {SYMBOLIC_ONLY}") from None
 
     def scalars(self, x: Coefficient, m: Arithmetic) -> GeneralScalars:
         return GeneralScalars(self, x, m)
@@ -195,18 +223,24 @@ class General(AngleChart):
         return at.angle_of(r)
 
     def far_angle(self, x: Coefficient, r: Coefficient, m: Arithmetic) -> Coefficient:
-        """Return α by Newton's method from the first guess."""
-        angle = m.name("guess", self.far.lowered(x, r, m))
-        for step in range(self.far.steps):
-            at = PhiValues(m.corrected(angle), m)
-            angle = m.name(f"alpha{step}", angle - m.div(at.derivative(self.phi, 0) - r, at.derivative(self.phi, 1)))
-        return angle
+        """Return α by Newton's method from the first guess; NaN beyond the end of the chart."""
+        if self._edge.kind != "pole":
+            left = from_end(x, self.far.size, m)
+            r = m.name("length_in", r + (left - left))
+        return self.far.solved(x, r, m)
 
     def phi_derivatives(self, angle: Coefficient, m: Arithmetic, mark: str = "") -> Derivatives:
-        """Return φ, φ′, φ″; NaN beyond the edge, by the root of a negative number."""
+        """Return φ, φ′, φ″; NaN beyond the edge, by 0/0. At a fold, an angle beyond it by rounding is the edge."""
         with mpmath.workdps(PHI_DIGITS):
-            square = mpmath.mpf(self.edge.evalf(PHI_DIGITS)) ** 2
-        left = m.name(f"left{mark}", m.sqrt(plus(-(angle * angle), square, m, f"within{mark}")))
+            limit = -(mpmath.mpf(self.edge.evalf(PHI_DIGITS)) ** 2)
+        own = m.name(f"square{mark}", angle * angle)
+        over = m.name(f"over{mark}", plus(own, limit, m, f"within{mark}"))
+        none = m.name(f"none{mark}", own - own)
+        if self._edge.kind == "fold":
+            left = m.where(m.less(own, own + m.div(over, NOISE)), none, 1 + none)
+        else:
+            left = m.where(m.less(over, 0), 1 + none, none)
+        left = m.name(f"left{mark}", left)
         one = m.name(f"inside{mark}", m.div(left, left))
         at = PhiValues(angle, m)
         return at.derivative(self.phi, 0) * one, at.derivative(self.phi, 1) * one, at.derivative(self.phi, 2) * one

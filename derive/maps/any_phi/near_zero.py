@@ -11,27 +11,30 @@ Errors are in units of a(0) and X.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+import itertools
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import lru_cache, reduce
-from operator import add, mul
+from functools import lru_cache
 from typing import Any
 
 import mpmath
 import sympy
 
-from ..angle_of_length import angle_of
+from ..angle_of_length import angle_of, real_value
 from ..elementary import evaluate
 from ..families import alpha
 from ..phi_error import PhiError
 from ..real_constants import Polynomial, polynomial
 from .edges import PHI_DIGITS, Edge
+from .intervals import Intervals, Undecided, precise
 
 NEAR_ANGLE = mpmath.mpf("1.3")
 """Largest angle for the interpolation of a(x); a fifth of the edge, if less."""
 RADII = [mpmath.mpf(k) / 2 for k in range(16, 2, -1)] + [mpmath.mpf(k) / 16 for k in range(22, 2, -2)]
-NEAR_DIVISORS = (1, 2, 4, 8, 16)
+RADII += [mpmath.mpf(k) / 128 for k in range(14, 3, -1)]
+"""Radii of circles that are tried."""
+NEAR_DIVISORS = (1, 2, 4, 8, 16, 32, 64, 128)
 """Divisors of `NEAR_ANGLE`, tried in this order until a bound of the error is proved."""
 ERROR_MAX = mpmath.mpf(10) ** -21
 LIMIT_RANGE = mpmath.mpf(2) ** -22, mpmath.mpf(2) ** 18
@@ -39,7 +42,11 @@ LIMIT_RANGE = mpmath.mpf(2) ** -22, mpmath.mpf(2) ** 18
 DEGREES = range(8, 40)
 DERIVATIVES = 3
 ARCS = 128
-NOT_INTERVALS = "interval arithmetic does not know it"
+NEEDED = f"phi/alpha needs a positive real part on a circle |alpha| = R in the complex plane, R >= {RADII[-1]}"
+
+
+class UnitError(PhiError):
+    """Error for a φ whose values near 0 are too small or too large for fractions of small integers."""
 
 
 @dataclass(frozen=True)
@@ -53,12 +60,13 @@ class Ratio:
 
 def ratio(phi: sympy.Expr, edge: Edge) -> Ratio:
     """Return polynomials that interpolate ``α/|v|`` near 0; `PhiError` if no circle proves that a is analytic."""
+    refused = list[PhiError]()
     for share in NEAR_DIVISORS:
         try:
             return _ratio(phi, edge, NEAR_ANGLE / share)
         except PhiError as error:
-            refused = error
-    raise refused
+            refused.append(error)
+    raise min(refused, key=lambda error: isinstance(error, UnitError))
 
 
 def _ratio(phi: sympy.Expr, edge: Edge, near: Any) -> Ratio:
@@ -86,7 +94,7 @@ def _ratio(phi: sympy.Expr, edge: Edge, near: Any) -> Ratio:
 def _rounded_down(phi: sympy.Expr, size: Any) -> Fraction:
     if not LIMIT_RANGE[0] < size < LIMIT_RANGE[1]:
         few = "small" if size < 1 else "large"
-        raise PhiError(f"phi = {phi} is too {few} near 0, {mpmath.nstr(mpmath.sqrt(size), 3)}: take a multiple of it")
+        raise UnitError(f"phi = {phi} is too {few} near 0, {mpmath.nstr(mpmath.sqrt(size), 3)}: take a multiple of it")
     denominator = max(64, 2 ** int(mpmath.ceil(mpmath.log(4 / size, 2))))
     return Fraction(int(size * denominator), denominator)
 
@@ -125,116 +133,48 @@ def _circle(phi: sympy.Expr, X: Any) -> tuple[Any, Any]:
     for least, radius in sorted(found, key=lambda pair: -pair[0]):
         if least**2 > 2 * X and is_analytic(phi, radius):
             return radius / least, least**2
-    raise PhiError(f"nothing proves that the inverse of phi = {phi} is analytic near 0")
-
-
-# --- interval arithmetic ---------------------------------------------------------------------------------------------
-
-
-def smallest(phi: sympy.Expr, radius: Any) -> Any:
-    """Return a lower bound of |φ| on a quarter of a circle; None unless ``Re φ/(φ′(0) α) > 0`` is proved there."""
-    with mpmath.workdps(PHI_DIGITS):
-        slope = mpmath.mpf(evaluate(phi.diff(alpha), alpha, mpmath.mpf(0)))
-    least = mpmath.inf
-    try:
-        for box in _arcs(radius):
-            value = _on_intervals(phi)(box)
-            if not (value / box / slope).real > 0:
-                return None
-            least = min(least, mpmath.mpf(abs(value).a))
-    except (ZeroDivisionError, ValueError, TypeError):
-        return None
-    return least if least > 0 and mpmath.isfinite(least) else None
-
-
-def is_analytic(phi: sympy.Expr, radius: Any) -> bool:
-    """Return whether φ is proved to be analytic in a quarter of a disc."""
-    try:
-        for box in _cells(radius):
-            _on_intervals(phi)(box)
-    except (ZeroDivisionError, ValueError, TypeError):
-        return False
-    return True
-
-
-def _arcs(radius: Any) -> Iterator[Any]:
-    iv = mpmath.iv
-    for k in range(ARCS):
-        angle = iv.mpf([k, k + 1]) * iv.pi / (2 * ARCS)
-        yield iv.mpc(iv.mpf(radius) * iv.cos(angle), iv.mpf(radius) * iv.sin(angle))
-
-
-def _cells(radius: Any, parts: int = 12) -> Iterator[Any]:
-    """Yield squares that cover a quarter of the disc."""
-    iv = mpmath.iv
-    side = iv.mpf(radius) / parts
-    for i in range(parts):
-        for j in range(parts):
-            if i * i + j * j < parts * parts:
-                yield iv.mpc(side * iv.mpf([i, i + 1]), side * iv.mpf([j, j + 1]))
+    raise PhiError(f"nothing proves that the inverse of phi = {phi} is analytic near 0: {NEEDED}")
 
 
 @lru_cache(maxsize=256)
-def _on_intervals(e: sympy.Expr) -> Callable[[Any], Any]:
-    """Return a function of complex intervals; it raises ValueError where one may contain a pole or a branch cut."""
-    if e == alpha:
-        return lambda z: z
-    if not e.free_symbols:
-        constant = _constant(e)
-        return lambda z: constant
-    parts = [_on_intervals(a) for a in e.args if not (e.is_Pow and a == e.exp)]
-    first, exponent = parts[0], e.exp if e.is_Pow else None
-    if e.is_Add or e.is_Mul:
-        combine = add if e.is_Add else mul
-        return lambda z: reduce(combine, (part(z) for part in parts))
-    if exponent is not None and exponent.is_Integer:
-        return lambda z: _power(first(z), int(exponent))
-    if exponent is not None and exponent.is_Rational:
-        p, q = int(exponent.p), int(exponent.q)
-        return lambda z: mpmath.iv.exp(_log(first(z)) * p / q)
-    function = _functions()[e.func]
-    return lambda z: function(_complex(first(z)))
+def smallest(phi: sympy.Expr, radius: Any) -> Any:
+    """Return a lower bound of |φ| on a quarter of a circle; None unless ``Re φ/(φ′(0) α) > 0`` is proved there."""
+    least = mpmath.inf
+    with precise() as at:
+        slope = real_value(phi.diff(alpha), mpmath.mpf(0), phi)
+        try:
+            for box in _arcs(at, radius):
+                value = at.enclosure(phi, box)
+                if not at.bounds((value / box).real)[0] * slope > 0:
+                    return None
+                least = min(least, at.size(value)[0])
+        except Undecided:
+            return None
+    return least if least > 0 else None
 
 
-def _constant(e: sympy.Expr) -> Any:
-    with mpmath.workdps(PHI_DIGITS):
-        value = mpmath.mpf(e.evalf(PHI_DIGITS))
-    off = abs(value) * mpmath.mpf(2) ** -45
-    return mpmath.iv.mpf([value - off, value + off])
+@lru_cache(maxsize=256)
+def is_analytic(phi: sympy.Expr, radius: Any) -> bool:
+    """Return whether φ is proved to be analytic in a quarter of a disc."""
+    with precise() as at:
+        try:
+            for box in _squares(at, radius):
+                at.enclosure(phi, box)
+        except Undecided:
+            return False
+    return True
 
 
-def _power(base: Any, exponent: int) -> Any:
-    power = reduce(mul, [base] * abs(exponent))
-    return power if exponent > 0 else 1 / _nonzero(power)
+def _arcs(at: Intervals, radius: Any) -> Iterator[Any]:
+    for k in range(ARCS):
+        angle = at.interval(mpmath.pi * k / (2 * ARCS), mpmath.pi * (k + 1) / (2 * ARCS))
+        size = at.interval(radius, radius)
+        yield at.rectangle(size * at.real.cos(angle), size * at.real.sin(angle))
 
 
-def _functions() -> dict[Any, Callable[[Any], Any]]:
-    iv = mpmath.iv
-    i = iv.mpc(0, 1)
-    return {
-        sympy.sin: iv.sin, sympy.cos: iv.cos, sympy.exp: iv.exp, sympy.log: _log,
-        sympy.tan: lambda a: iv.sin(a) / _nonzero(iv.cos(a)),
-        sympy.sinh: lambda a: (iv.exp(a) - iv.exp(-a)) / 2,
-        sympy.cosh: lambda a: (iv.exp(a) + iv.exp(-a)) / 2,
-        sympy.tanh: lambda a: (iv.exp(a) - iv.exp(-a)) / _nonzero(iv.exp(a) + iv.exp(-a)),
-        sympy.asin: lambda a: -i * _log(i * a + iv.exp(_log(1 - a * a) / 2)),
-        sympy.acos: lambda a: iv.pi / 2 + i * _log(i * a + iv.exp(_log(1 - a * a) / 2)),
-        sympy.atan: lambda a: i / 2 * (_log(1 - i * a) - _log(1 + i * a)),
-    }  # fmt: skip
-
-
-def _nonzero(value: Any) -> Any:
-    if not abs(value).a > 0:
-        raise ValueError(NOT_INTERVALS)
-    return value
-
-
-def _log(value: Any) -> Any:
-    """Return the principal logarithm; raise unless the real part is positive."""
-    if not _complex(value).real.a > 0:
-        raise ValueError(NOT_INTERVALS)
-    return mpmath.iv.log(_complex(value))
-
-
-def _complex(value: Any) -> Any:
-    return value if hasattr(value, "_mpci_") else mpmath.iv.mpc(value)
+def _squares(at: Intervals, radius: Any, parts: int = 12) -> Iterator[Any]:
+    """Yield squares that cover a quarter of the disc."""
+    sides = [at.interval(radius * i / parts, radius * (i + 1) / parts) for i in range(parts)]
+    for i, j in itertools.product(range(parts), repeat=2):
+        if i * i + j * j < parts * parts:
+            yield at.rectangle(sides[i], sides[j])

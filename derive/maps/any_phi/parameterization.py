@@ -16,7 +16,7 @@ from ..named import Base, Named, sine
 from ..phi_error import PhiError
 from ..real_constants import is_small
 from .edges import edge_of
-from .expressions import multiple_of_known, parity, parsed
+from .expressions import expression_of, multiple_of_known, parity
 from .general import General
 
 
@@ -41,7 +41,7 @@ def parameterization(phi: str | sympy.Expr, name: str, order: int | None = None)
 
     `order` is the value of n in a text. A refused φ raises `PhiError` with the reason.
     """
-    expression = parsed(phi, order) if isinstance(phi, str) else phi
+    expression = expression_of(phi, order)
     if not (name.isidentifier() and name.isascii() and not keyword.iskeyword(name)):
         raise PhiError(f"the name of a module is an identifier, got {name!r}")
     if expression != 0 and parity(expression) != -1:  # edge_of refuses φ = 0 for its slope

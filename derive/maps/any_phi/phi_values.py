@@ -17,7 +17,6 @@ from ...algebra import Coefficient
 from ...algebra.arithmetic import Arithmetic
 from ..families import alpha
 from ..order_charts import double_angle
-from ..phi_error import SYMBOLIC_ONLY, PhiError
 from ..polynomials import Pair
 from ..real_constants import is_small, number, plus, times
 from .edges import PHI_DIGITS
@@ -28,13 +27,6 @@ LEVELS = 5
 
 ARC_SERIES = tuple(45045 // odd for odd in range(1, 15, 2))
 """Coefficients of the arc tangent series, without signs, scaled to integers."""
-
-
-def require_known(phi: sympy.Expr) -> None:
-    """Refuse a φ with functions that kernels do not compute."""
-    other = sorted({f.func.__name__ for f in phi.atoms(sympy.Function) if f.has(alpha) and f.func not in FUNCTIONS})
-    if other:
-        raise PhiError(f"kernels compute no {', '.join(other)}, as in phi = {phi}: {SYMBOLIC_ONLY}")
 
 
 class PhiValues:
@@ -111,14 +103,19 @@ class PhiValues:
 
     def _power(self, e: sympy.Expr) -> Coefficient:
         base, exponent = e.as_base_exp()
-        if not (exponent.is_Rational and exponent.q <= 2):
-            raise PhiError(f"kernels take square roots only, not {e}")
-        root = self.at(base) if exponent.q == 1 else self.m.sqrt(self.at(base))
-        value: Coefficient = 1
-        for bit in bin(abs(int(exponent.p)))[2:]:
-            value = value if _is_one(value) else value * value
-            value = value * root if bit == "1" else value
+        value = _to_power(self._root(base, int(exponent.q)), abs(int(exponent.p)))
         return value if exponent > 0 else self.m.div(1, value)
+
+    def _root(self, base: sympy.Expr, degree: int) -> Coefficient:
+        """Return a root of a positive number: beyond degree 2 by its logarithm, with a Newton step for all digits."""
+        m, a = self.m, self.at(base)
+        if degree <= 2:
+            return a if degree == 1 else m.sqrt(a)
+        size, below = self._side(sympy.log(base))
+        larger = 1 + m.expm1(m.div(size, degree))
+        root = m.corrected(m.where(below, 1, larger) / m.where(below, larger, 1))
+        power = _to_power(root, degree - 1)
+        return root - (root - a / power) / degree
 
     def _atan(self, a: Coefficient) -> Coefficient:
         """Return the arc tangent, by ``π/2 − atan(1/a)`` beyond 1.
@@ -179,6 +176,17 @@ class PhiValues:
         less = self.m.expm1(-2 * size)
         return self.m.where(below, less, -less) / (2 + less)
 
+    def _asinh(self, argument: sympy.Expr) -> Coefficient:
+        """Return the inverse hyperbolic sine ``sgn(a) log(1 + |a| + a²/(1 + √(1 + a²)))``."""
+        m, (size, below) = self.m, self._side(argument)
+        square = size * size
+        return m.where(below, -1, 1) * m.log1p(size + square / (1 + m.sqrt(1 + square)))
+
+    def _atanh(self, argument: sympy.Expr) -> Coefficient:
+        """Return the inverse hyperbolic tangent ``sgn(a) log(1 + 2|a|/(1 − |a|))/2``."""
+        m, (size, below) = self.m, self._side(argument)
+        return m.where(below, -1, 1) * m.div(m.log1p(2 * size / (1 - size)), 2)
+
     def _log(self, argument: sympy.Expr) -> Coefficient:
         """Return log a as ``log(1 + (a − 1))``, or as ``−log(1 + (1 − a)/a)`` for a < 1/2 to keep all digits."""
         m, a, beside = self.m, self.at(argument), self.at(argument - 1)
@@ -196,6 +204,8 @@ FUNCTIONS: Mapping[Any, Callable[[PhiValues, sympy.Expr], Coefficient]] = {
     sympy.sinh: lambda at, e: at._hyperbolic(e)[0],
     sympy.cosh: lambda at, e: at._hyperbolic(e)[1],
     sympy.tanh: PhiValues._tanh,
+    sympy.asinh: PhiValues._asinh,
+    sympy.atanh: PhiValues._atanh,
     sympy.exp: PhiValues._exp,
     sympy.log: PhiValues._log,
 }
@@ -221,6 +231,14 @@ class _Unnamed:
 
     def __getattr__(self, operation: str) -> Any:
         return getattr(self._m, operation)
+
+
+def _to_power(base: Coefficient, exponent: int) -> Coefficient:
+    value: Coefficient = 1
+    for bit in bin(exponent)[2:]:
+        value = value if _is_one(value) else value * value
+        value = value * base if bit == "1" else value
+    return value
 
 
 def _is_one(value: Coefficient) -> bool:

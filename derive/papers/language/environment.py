@@ -7,8 +7,8 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from ...algebra import Dual, Structure, real_part
-from ..numbers.fields import Field
+from ...algebra import Dual, Structure
+from ..numbers.fields import Field, innermost
 from . import values
 from .printed import Number, Symbol, Term
 
@@ -35,15 +35,15 @@ class Env:
     """Environment: values of symbols over a field of numbers.
 
     `values` contains the free symbols; values of defined symbols are added on first use. Coefficients are dual numbers
-    if `dual`, and their parts carry a time derivative if `moving`. If `found` is a list, it receives the pairs of
-    numbers that equations found equal.
+    if `dual`, and their parts carry time derivatives up to the order `moving`. If `found` is a list, it receives the
+    pairs of numbers that equations found equal.
     """
 
     field: Field
     values: dict[Symbol, Any]
     definitions: Mapping[Symbol, Definition] = dataclasses.field(default_factory=dict)
     dual: bool = True
-    moving: bool = False
+    moving: int = 0
     found: list[tuple[Any, Any]] | None = None
 
     def value(self, statement: Term) -> Any:
@@ -77,6 +77,12 @@ class Env:
             return Dual(_slope(a.re), _slope(a.du)) if isinstance(a, Dual) else 0
         return _slope(a)
 
+    def number(self, part: Any) -> Any:
+        """Return the real or dual part of a value as a value: of moving dual numbers, a number with dual part 0."""
+        if isinstance(part, Structure):
+            return part.map(self.number)
+        return Dual(part, 0 * part) if self.moving and self.dual and not isinstance(part, int) else part
+
     def now(self, a: Any) -> Any:
         """Return the current value, without its time derivative."""
         if not self.moving or callable(a):
@@ -85,7 +91,7 @@ class Env:
             return a.map(self.now)
         if not isinstance(a, Dual):
             return a
-        return Dual(real_part(a.re), real_part(a.du)) if self.dual else a.re
+        return Dual(innermost(a.re), innermost(a.du)) if self.dual else innermost(a)
 
     def _meaning(self, symbol: Symbol) -> Any:
         if definition := self.definitions.get(symbol):
@@ -96,4 +102,5 @@ class Env:
 
 
 def _slope(a: Any) -> Any:
-    return Dual(a.du, 0 * a.du) if isinstance(a, Dual) else 0
+    """Return the derivative of a coefficient; the last one of a nested dual number counts as constant."""
+    return Dual(a.du, _slope(a.du) if isinstance(a.du, Dual) else 0 * a.du) if isinstance(a, Dual) else 0

@@ -8,12 +8,13 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from fractions import Fraction
+from functools import reduce
 from itertools import pairwise, permutations
 from typing import Any
 
 from sympy import LeviCivita
 
-from ...algebra import Quaternion, Structure, Tensor, Vector
+from ...algebra import Quaternion, Structure, Tensor, Vector, matrix
 from ...algebra.element import NotExactError
 from ...maps.exponential import quaternion_exponential, tensor_exponential
 from ..numbers.fields import UndefinedError, innermost
@@ -63,10 +64,13 @@ def _quotient(env: Env, a: Any, b: Any) -> Any:
 def _power(env: Env, base: Term, exponent: Term) -> Any:
     e = env.value(exponent)
     if Trait.LENGTH in base.operator.traits and isinstance(e, int) and e % 2 == 0:
-        v = env.value(base.arguments[0])  # |v|² = v·v needs no root
-        square = v.dot(v) if isinstance(v, Vector) else v.norm2() if isinstance(v, Quaternion) else v * v
-        return env.field.power(square, e // 2)
+        return env.field.power(values.square(env.value(base.arguments[0])), e // 2)  # |v|² = v·v needs no root
     value = env.value(base)
+    if isinstance(value, matrix.Matrix):
+        factor = value if e > 0 else matrix.inverse(value)
+        return reduce(matrix.product, [factor] * abs(e), matrix.identity(len(value.rows)))
+    if env.field.ordered and not isinstance(e, int | Fraction) and not isinstance(value, Structure):
+        return env.field.exp(env.field.log(value) * e)
     return (lambda a: env.field.power(value(a), e)) if callable(value) else env.field.power(value, e)
 
 
@@ -130,7 +134,19 @@ def cases(*arms: tuple[Any, Term]) -> Apply:
 
 
 infinity = Symbol("infinity", "∞", r"\infty", "∞")
-factorial = define("factorial", "{0}!", "{0}!", ATOM, (ATOM,), lambda env, k: math.factorial(k))
+
+
+def _counting(count: Callable[..., int]) -> Callable[..., int]:
+    """Return the value of a function of integers that are not negative."""
+    def value(env: Env, *numbers: int) -> int:
+        if any(number < 0 for number in numbers):
+            raise UndefinedError("a count of a negative number")
+        return count(*numbers)
+
+    return value
+
+
+factorial = define("factorial", "{0}!", "{0}!", ATOM, (ATOM,), _counting(math.factorial))
 power_of_e = define("power of e", "e^{{{0}}}", "e{0}", POWER, (LIST,), lambda env, a: _exponential(env, a),
                     traits=Trait.TRANSCENDENTAL)
 
@@ -160,15 +176,15 @@ def _floor(env: Env, a: Any, b: int) -> int:
 
 
 floor_over = define("floor", r"\left\lfloor {0}/{1} \right\rfloor", "{0}/{1}", ATOM, (ATOM, ATOM), _floor)
-binomial = define("binomial", r"\binom{{{0}}}{{{1}}}", "{0} {1}", ATOM, (LIST, LIST), lambda env, n, k: math.comb(n, k))
+binomial = define("binomial", r"\binom{{{0}}}{{{1}}}", "{0} {1}", ATOM, (LIST, LIST), _counting(math.comb))
 
 
 # ---- dual parts -----------------------------------------------------------------------------------------------
 
 epsilon = Symbol("epsilon", "dual unit", r"\varepsilon", "ε")
-Re = define("Re", r"\operatorname{{Re}} {0}", "Re {0}", PRODUCT, (ATOM,), lambda env, a: values.re(a),
+Re = define("Re", r"\operatorname{{Re}} {0}", "Re {0}", PRODUCT, (ATOM,), lambda env, a: env.number(values.re(a)),
             traits=Trait.APART)
-Du = define("Du", r"\operatorname{{Du}} {0}", "Du {0}", PRODUCT, (ATOM,), lambda env, a: values.du(a),
+Du = define("Du", r"\operatorname{{Du}} {0}", "Du {0}", PRODUCT, (ATOM,), lambda env, a: env.number(values.du(a)),
             traits=Trait.APART)
 
 
@@ -176,8 +192,7 @@ Du = define("Du", r"\operatorname{{Du}} {0}", "Du {0}", PRODUCT, (ATOM,), lambda
 
 norm = define("norm", r"\left|{0}\right|", "|{0}|", ATOM, (LIST,), lambda env, a: values.norm(env.field, a),
               traits=Trait.LENGTH)
-dot = define("dot", r"{0} \cdot {1}", "{0}·{1}", PRODUCT, (PRODUCT, PRODUCT),
-             lambda env, a, b: a.dot(b) if isinstance(a, Vector) and isinstance(b, Vector) else values.multiply(a, b))
+dot = define("dot", r"{0} \cdot {1}", "{0}·{1}", PRODUCT, (PRODUCT, PRODUCT), lambda env, a, b: values.dot(a, b))
 cross = define("cross", r"{0} \times {1}", "{0}×{1}", PRODUCT, (ATOM, ATOM), lambda env, a, b: a.cross(b))
 
 

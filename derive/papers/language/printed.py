@@ -15,7 +15,7 @@ from typing import Any, Self
 from sympy import Basic, Integer
 from sympy.core.symbol import Str
 
-from ..numbers.quantities import QUANTITIES, Quantity
+from ..numbers.kinds import QUANTITIES, Quantity
 
 ATOM, POWER, PRODUCT, SUM, RELATION, LIST = 5, 4, 3, 2, 1, 0  # binding strength of a term
 
@@ -77,6 +77,9 @@ class Term(Basic):  # type: ignore[misc]  # SymPy is untyped
     def __call__(self, argument: Any) -> Term:
         return Apply("at", self, argument)
 
+    def _latex(self, printer: object) -> str:
+        return latex(self)
+
     def __neg__(self) -> Term:
         return Apply("negative", self)
 
@@ -106,9 +109,11 @@ class Symbol(Term):
     """
 
     def __new__(cls, name: str, quantity: str, latex: str | None = None, text: str | None = None) -> Self:
+        # SymPy rebuilds a node from its own arguments
+        name, quantity, latex, text = (str(part) for part in (name, quantity, latex or name, text or name))
         if quantity not in QUANTITIES:
             raise ValueError(f"no quantity {quantity!r}: expected {', '.join(QUANTITIES)}")
-        node: Self = super().__new__(cls, Str(name), Str(quantity), Str(latex or name), Str(text or name))
+        node: Self = super().__new__(cls, *map(Str, (name, quantity, latex, text)))
         return node
 
     @property

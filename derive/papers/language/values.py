@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
-from ...algebra import Dual, Quaternion, Structure, Vector, mixed
+from ...algebra import Dual, Quaternion, Structure, Vector, matrix, mixed
 from ...algebra.mixed import quaternion as quaternion
 from ...maps.pose import Pose
 from ..numbers.fields import Field
@@ -93,6 +93,8 @@ def multiply(a: Any, b: Any) -> Any:
     """Return the product of two factors printed side by side."""
     if isinstance(a, Pose) and isinstance(b, Pose):
         return a @ b
+    if isinstance(a, Structure) and isinstance(b, Structure) and matrix.Matrix in (type(a), type(b)):
+        return matrix.product(a, b)
     return mixed.multiply(a, b)
 
 
@@ -107,11 +109,25 @@ def divide(a: Any, b: Any) -> Any:
     return multiply(a, quaternion(b).inverse())
 
 
+def dot(a: Any, b: Any) -> Any:
+    """Return the scalar product of two columns, or the product of numbers."""
+    if isinstance(a, Vector) and isinstance(b, Vector):
+        return a.dot(b)
+    return multiply(matrix.transposed(a) if isinstance(a, matrix.Matrix) else a, b)
+
+
 def norm(field: Field, a: Any) -> Any:
-    """Return the magnitude of a vector, quaternion or number."""
+    """Return the magnitude of a column, quaternion or number."""
     if isinstance(a, Vector):
         return field.magnitude(a)
-    return field.sqrt(a.norm2()) if isinstance(a, Quaternion) else abs(a)
+    return field.sqrt(square(a)) if isinstance(a, Structure) else field.absolute(a)
+
+
+def square(a: Any) -> Any:
+    """Return the square of the magnitude, which needs no root."""
+    if isinstance(a, matrix.Matrix):
+        return matrix.product(matrix.transposed(a), a)
+    return a.dot(a) if isinstance(a, Vector) else a.norm2() if isinstance(a, Quaternion) else a * a
 
 
 def re(a: Any) -> Any:
@@ -140,6 +156,8 @@ def equal(field: Field, a: Any, b: Any, found: list[tuple[Any, Any]] | None = No
         return equal(field, a.first, b, found) or equal(field, a.second, b, found)
     if isinstance(a, Solution):
         return a.test(b.first) or a.test(b.second) if isinstance(b, Either) else a.test(b)
+    if isinstance(a, Structure) and isinstance(b, int) and b == 0:
+        b = 0 * a
     if type(a) is not type(b) and (isinstance(a, Structure) or isinstance(b, Structure)):
         a, b = quaternion(a), quaternion(b)
     if found is None:
@@ -153,7 +171,7 @@ def equal(field: Field, a: Any, b: Any, found: list[tuple[Any, Any]] | None = No
 def coefficients(a: Any) -> Iterator[Any]:
     """Yield the plain numbers of a value, all real parts before the dual parts; for ±, use the first value."""
     if isinstance(a, Structure) and any(isinstance(component, Dual) for component in a):
-        yield from (number for part in (re, du) for component in a for number in coefficients(part(component)))
+        yield from (number for part in (re, du) for number in coefficients(a.map(part)))
         return
     parts = _parts(a)
     if not parts:

@@ -42,6 +42,14 @@ class Draw:
         """Return a coefficient, with the time derivative `slope` if symbols move."""
         return Dual(mpmath.mpf(value), mpmath.mpf(slope)) if self.moving else mpmath.mpf(value)
 
+    def scalar(self, value: Any) -> Any:
+        """Return a real number; in motion with a random rate, and with dual part 0."""
+        return self.lifted(self.plain(value, self.signed())) if self.moving else value
+
+    def lifted(self, part: Any) -> Any:
+        """Return a real part as a number: in motion, with dual part 0."""
+        return Dual(part, 0 * part) if self.moving else part
+
     def number(self, re: Any, du: Any | None = None) -> Any:
         """Return a dual number with a random dual part by default; parts of moving symbols get random rates."""
         du = self.signed() if du is None else du
@@ -64,7 +72,7 @@ class Draw:
 
     def quaternion(self, half_angle: Any) -> Quaternion:
         """Return a unit dual quaternion about a random screw axis; `half_angle` is the real part of its half angle."""
-        angle, field = Dual(mpmath.mpf(half_angle), self.signed()), Decimal60()
+        angle, field = self.number(mpmath.mpf(half_angle)), Decimal60()
         return Quaternion(field.cos(angle), self.unit() * field.sin(angle))
 
 
@@ -72,6 +80,11 @@ def sphere(s: Any, t: Any) -> Vector:
     """Return ``(2s, 2t, 1 − s² − t²)/(1 + s² + t²)``: any unit vector except (0, 0, −1)."""
     square = s * s + t * t
     return Vector(2 * s / (1 + square), 2 * t / (1 + square), (1 - square) / (1 + square))
+
+
+def jet(value: Any, rates: Sequence[Any]) -> Any:
+    """Return a number with its rates: of first order as one dual number, of second order as nested dual numbers."""
+    return Dual(jet(value, rates[:-1]), jet(rates[0], rates[1:])) if rates else value
 
 
 @dataclass(frozen=True)

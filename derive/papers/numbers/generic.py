@@ -16,37 +16,44 @@ from typing import Any
 
 from ...algebra import Dual, Quaternion, Vector
 from ...algebra.element import NotExactError
-from .draw import sphere
+from .draw import jet, sphere
 from .every_order import EveryOrder
 from .fields import Exact
 from .quantities import Role
 
+RATES = ("˙", "¨")
 STEPS = 4  # sine and cosine of multiples of α/4 are exact
 
 
 class Generic:
     """Generic values of some free symbols.
 
-    Coefficients are dual if `dual` and carry rates if `moving`, as in `derive.papers.language.environment.Env`.
-    Multiples of ``angle/steps`` have exact sine and cosine. A frame is chosen along the vectors if `framed`. With the
-    symbol `order`, the values hold for every n; then the other symbols contain at most one vector and one angle.
+    Coefficients are dual if `dual` and carry rates up to the order `moving`, as in
+    `derive.papers.language.environment.Env`. Multiples of ``angle/steps`` have exact sine and cosine. A frame is chosen
+    along the vectors if `framed`. The magnitude of the first vector is itself an angle if `turning`. With the symbol
+    `order`, the values hold for every n; then the other symbols contain at most one vector and one angle.
     """
 
     def __init__(
-        self, free: Iterable[Any], dual: bool, moving: bool, steps: int = STEPS, framed: bool = True, order: Any = None
-    ) -> None:
-        self.dual, self.moving = dual, moving
+        self, free: Iterable[Any], dual: bool, moving: int, steps: int = STEPS, framed: bool = True, order: Any = None,
+        turning: bool = False,
+    ) -> None:  # fmt: skip
+        self.dual, self.moving, self.turning = dual, moving, turning
         self.symbols = tuple(free)
         self.framed = framed and not any(symbol.quantity.role is Role.TENSOR for symbol in self.symbols)
         self.first = next((symbol.name for symbol in self.symbols if symbol.quantity.role is Role.VECTOR), None)
         self.every: EveryOrder | None = None if order is None else EveryOrder(self._names())
-        self.field = self.every or Exact(self._names(), self._angles(steps))
+        magnitude = f"arctan {self.first}"  # name of the angle for the magnitude of the first vector
+        positive = {magnitude if turning else f"tan_{magnitude}"} if self.framed and self.first else set()
+        self.field = self.every or Exact(self._names(), self._angles(steps), positive)
         self._vectors = 0  # number of vectors along which the frame is already chosen
         self.values: dict[Any, Any] = {}
         for symbol in self.symbols:
-            if symbol.quantity.exact is None:
-                raise NotExactError(f"no generic {symbol.quantity.name}")
-            self.values[symbol] = symbol.quantity.exact(self, symbol.name)
+            quantity = symbol.quantity
+            exact = quantity.exact if framed or quantity.role is Role.ANGLE else quantity.built or quantity.exact
+            if exact is None:
+                raise NotExactError(f"no generic {quantity.name}")
+            self.values[symbol] = exact(self, symbol.name)
         if self.every:
             self.values[order] = self.every.n
 
@@ -59,20 +66,21 @@ class Generic:
 
     # ---- values for the table of quantities, by the name of a symbol ------------------------------------------------
 
-    def number(self, name: str, i: int = 0, at: Any = None) -> Any:
-        """Return the i-th number of a symbol, with dual part and rate if required; `at` fixes its real value."""
+    def number(self, name: str, i: int = 0, at: Any = None, constant: bool = False) -> Any:
+        """Return the i-th number of a symbol, with dual part and rates if required; `at` fixes its real value."""
 
         def plain(part: str) -> Any:
             value = at if at is not None and not part else self.field.symbol(f"{name}{i}{part}")
-            return Dual(value, self.field.symbol(f"{name}{i}{part}˙")) if self.moving else value
+            rates = [self.field.symbol(f"{name}{i}{part}{dots}") for dots in RATES[: self.moving]]
+            return jet(value, [0 * rate for rate in rates] if constant else rates)
 
         return Dual(plain(""), plain("°")) if self.dual else plain("")
 
     def real(self, number: Any) -> Any:
-        """Return the real part of a number; raise if symbols move."""
-        if self.moving:
-            raise NotExactError("real symbols in motion")
-        return number.re if self.dual else number
+        """Return the real part of a number; in motion, as a number with dual part 0."""
+        if not self.dual:
+            return number
+        return Dual(number.re, 0 * number.re) if self.moving else number.re
 
     def angle(self, name: str) -> Any:
         """Return an angle with exact sine and cosine; it is 2nθ for a symbolic order."""
@@ -113,19 +121,19 @@ class Generic:
 
     def _angles(self, steps: int) -> dict[str, int]:
         angles = {symbol.name: steps for symbol in self.symbols if symbol.quantity.role in (Role.ANGLE, Role.TURN)}
-        return angles if self.first is None else {**angles, f"arctan {self.first}": 1}
+        return angles if self.first is None else {**angles, f"arctan {self.first}": steps if self.turning else 1}
 
     def _names(self) -> list[str]:
         stems = [f"{symbol.name}{i}" for symbol in self.symbols for i in range(symbol.quantity.size)]
-        parts = product(stems, ("", "°") if self.dual else ("",), ("", "˙") if self.moving else ("",))
+        parts = product(stems, ("", "°") if self.dual else ("",), ("", *RATES[: self.moving]))
         return ["".join(part) for part in parts]
 
     def _free_vector(self, name: str) -> Vector:
         return Vector(*(self.number(name, i) for i in range(3)))
 
     def _magnitude(self) -> Any:
-        """Return the magnitude of the first vector as the tangent of an angle."""
+        """Return the magnitude of the first vector as the tangent of an angle, or as an angle."""
         if self.every:
             return self.every.X
         angle = self.field.symbol(f"arctan {self.first}")
-        return self.field.sin(angle) / self.field.cos(angle)
+        return angle if self.turning else self.field.sin(angle) / self.field.cos(angle)

@@ -42,6 +42,7 @@ class Quantity:
     special: Mapping[str, Make] = field(default_factory=dict)  # draw values at which formulas tend to fail
     size: int = 0  # number of independent numbers in a value
     exact: Callable[[Generic, str], Any] | None = None  # returns the generic value of a symbol, given its name
+    built: Callable[[Generic, str], Any] | None = None  # the same without a frame along the vectors
     role: Role | None = None
     value: Callable[[Field], Any] | None = None  # returns the value of a constant in a field
     apart: bool = False  # whether it separates real and dual parts; then exact coefficients are dual too
@@ -59,6 +60,10 @@ _ZERO = (0, 0, 0)
 
 def _angle(half_turns: int, du: Any | None = None) -> Make:
     return lambda d: d.number(half_turns * mpmath.pi, du)
+
+
+def _scalar(half_turns: float) -> Make:
+    return lambda d: d.scalar(half_turns * mpmath.pi)
 
 
 def _half_turn(d: Draw) -> Quaternion:
@@ -86,23 +91,24 @@ SIGN = Quantity("sign", lambda d: 1, {"−": lambda d: -1})
 """Sign ±, equal on both sides of an equation."""
 
 _REAL = (
-    Quantity("real", lambda d: d.signed(), {"0": lambda d: mpmath.mpf(0), "negative": lambda d: -d.real()}, 1,
+    Quantity("real", lambda d: d.scalar(d.signed()), {"0": _scalar(0), "negative": lambda d: d.scalar(-d.real())}, 1,
              lambda g, name: g.real(g.number(name)), apart=True),
-    Quantity("real angle", lambda d: d.real(0.3, 1.2),
-             {"0": lambda d: mpmath.mpf(0), "π/2": lambda d: mpmath.pi / 2, "π": lambda d: +mpmath.pi,
-              "beyond π": lambda d: d.real(3.3, 6.1), "2π": lambda d: 2 * mpmath.pi,
-              "negative": lambda d: -d.real()}, 1, lambda g, name: g.real(g.angle(name)), Role.ANGLE, apart=True),
+    Quantity("real angle", lambda d: d.scalar(d.real(0.3, 1.2)),
+             {"0": _scalar(0), "π/2": _scalar(0.5), "π": _scalar(1),
+              "beyond π": lambda d: d.scalar(d.real(3.3, 6.1)), "2π": _scalar(2),
+              "negative": lambda d: d.scalar(-d.real())}, 1,
+             lambda g, name: g.real(g.angle(name)), role=Role.ANGLE, apart=True),
     Quantity("smooth function", lambda d: polynomial([d.signed() for _ in range(5)]),
              {"exponential": lambda d: polynomial([1 / mpmath.factorial(k) for k in range(70)]),
               "reciprocal": lambda d: Smooth(lambda a: 1 / a, lambda a: -1 / (a * a))}, 4,
              lambda g, name: polynomial([g.real(g.number(name, i)) for i in range(4)])),
-    Quantity("real vector", lambda d: Vector(*d.signed3()),
-             {"0": lambda d: Vector(mpmath.mpf(0), mpmath.mpf(0), mpmath.mpf(0))}, 3,
-             lambda g, name: g.vector(name).map(g.real), Role.VECTOR, apart=True),
-    Quantity("rotation", lambda d: rotation(_within(d)).re,
-             {"identity": lambda d: Tensor.identity(), "half turn": lambda d: rotation(_half_turn(d)).re,
-              "beyond a half turn": lambda d: rotation(_beyond(d)).re}, 3,
-             lambda g, name: rotation(g.turn(name)).map(g.real), Role.TURN),
+    Quantity("real vector", lambda d: Vector(*d.signed3()).map(d.scalar),
+             {"0": lambda d: Vector(*map(mpmath.mpf, _ZERO)).map(d.scalar)}, 3,
+             lambda g, name: g.vector(name).map(g.real), role=Role.VECTOR, apart=True),
+    Quantity("rotation", lambda d: rotation(_within(d)).re.map(d.lifted),
+             {"identity": lambda d: Tensor.identity(), "half turn": lambda d: rotation(_half_turn(d)).re.map(d.lifted),
+              "beyond a half turn": lambda d: rotation(_beyond(d)).re.map(d.lifted)}, 3,
+             lambda g, name: rotation(g.turn(name)).map(g.real), role=Role.TURN),
     Quantity("real tensor", apart=True), Quantity("real quaternion", apart=True),
 )
 
@@ -121,28 +127,28 @@ _NUMBERS = (
               "real part 3π": _angle(3), "real part 4π": _angle(4),
               "beyond a half turn": lambda d: d.number(d.real(3.3, 6.1)),
               "negative": lambda d: d.number(-d.real(0.3, 2.8))}, 1,
-             lambda g, name: g.angle(name), Role.ANGLE),
+             lambda g, name: g.angle(name), role=Role.ANGLE),
 )
 
 _STRUCTURES = (
     Quantity("dual vector", lambda d: d.vector(),
              {"real part 0": lambda d: d.vector(re=_ZERO), "0": lambda d: d.vector(_ZERO, _ZERO),
-              "real": lambda d: d.vector(du=(0, 0, 0))}, 3, lambda g, name: g.vector(name), Role.VECTOR),
+              "real": lambda d: d.vector(du=(0, 0, 0))}, 3, lambda g, name: g.vector(name), role=Role.VECTOR),
     Quantity("unit vector", lambda d: d.unit(), size=2, exact=lambda g, name: g.unit(name)),
     Quantity("quaternion", lambda d: Quaternion(d.number(d.signed()), d.vector()),
              {"real part 0": lambda d: Quaternion(d.number(0), d.still(_ZERO, (d.real(), d.real(), d.real())))}, 4,
-             lambda g, name: Quaternion(g.number(name, 3), g.vector(name)), Role.VECTOR),
+             lambda g, name: Quaternion(g.number(name, 3), g.vector(name)), role=Role.VECTOR),
     Quantity("unit quaternion", _within,
              {"1": _translation(1), "−1": _translation(-1), "half turn": _half_turn, "beyond a half turn": _beyond}, 3,
-             lambda g, name: g.turn(name), Role.TURN),
+             lambda g, name: g.turn(name), role=Role.TURN),
     Quantity("tensor", lambda d: Tensor.from_entries(d.number(d.signed()) for _ in range(9)),
              {"singular": lambda d: Tensor.dyad(d.vector(), d.vector())}, 9,
-             lambda g, name: Tensor.from_entries(g.number(name, i) for i in range(9)), Role.TENSOR),
+             lambda g, name: Tensor.from_entries(g.number(name, i) for i in range(9)), role=Role.TENSOR),
     Quantity("orthogonal tensor", lambda d: rotation(_within(d)),
              {"translation": lambda d: rotation(_translation(1)(d)),
               "identity": lambda d: Tensor.identity().map(lambda c: Dual(mpmath.mpf(c), mpmath.mpf(0))),
               "half turn": lambda d: rotation(_half_turn(d)), "beyond a half turn": lambda d: rotation(_beyond(d))}, 3,
-             lambda g, name: rotation(g.turn(name)), Role.TURN),
+             lambda g, name: rotation(g.turn(name)), role=Role.TURN),
     Quantity("line", apart=True), Quantity("pose"),
 )
 

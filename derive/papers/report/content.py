@@ -6,12 +6,17 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 from ...proof import Proof
-from ..equation import Paper
+from ..claim import rate_depth
+from ..equation import Entry, Paper
+from ..numbers.kinds import KINDS
 from ..result import Counterexample, Result, Status
+from ..sheet import Problem
 from .plain import plain
 
 MEANING = {
+    Status.FALSE: "false, with a point where it fails, and changes in one step that make it true",
     Status.ERRATUM: "false as printed in every listed reading; its correction is decided like any other statement",
+    Status.UNDECIDED: "neither proved nor refuted, for the reason shown",
     Status.AMBIGUOUS: "a true and a false reading that the text cannot tell apart",
     Status.HOLDS_IF: "true under the condition shown",
     Status.HOLDS: "true as printed",
@@ -35,6 +40,11 @@ class Chapter:
         """Number of results of each status."""
         return {status: len(self.of(status)) for status in MEANING}
 
+    @property
+    def of_file(self) -> bool:
+        """Whether the results are claims of a file."""
+        return any(result.equation.written is not None for result in self.results)
+
 
 @dataclass(frozen=True)
 class Report:
@@ -46,12 +56,27 @@ class Report:
     chapters: tuple[Chapter, ...]
     proofs: tuple[Proof, ...]
     root: str = ""
+    problems: tuple[Problem, ...] = ()
 
     @classmethod
-    def of(cls, papers: Iterable[Paper], results: Sequence[Result], proofs: Iterable[Proof], root: str = "") -> Report:
-        """Return a report with results grouped by paper."""
+    def of(
+        cls, papers: Iterable[Paper], results: Sequence[Result], proofs: Iterable[Proof], root: str = "",
+        problems: Iterable[Problem] = (),
+    ) -> Report:  # fmt: skip
+        """Return a report with results grouped by paper, and what could not be read in files."""
         chapters = (Chapter(paper, tuple(r for r in results if r.paper == paper.slug)) for paper in papers)
-        return cls(tuple(chapter for chapter in chapters if chapter.results), tuple(proofs), root)
+        return cls(tuple(chapter for chapter in chapters if chapter.results), tuple(proofs), root, tuple(problems))
+
+    @property
+    def statuses(self) -> dict[Status, str]:
+        """Statuses of the results with their meanings."""
+        found = {result.status for result in self.results}
+        return {status: meaning for status, meaning in MEANING.items() if status in found}
+
+    @property
+    def of_files(self) -> bool:
+        """Whether all results are claims of files."""
+        return all(chapter.of_file for chapter in self.chapters)
 
     @property
     def results(self) -> tuple[Result, ...]:
@@ -75,8 +100,10 @@ def label(result: Result) -> str:
 
 
 def place(result: Result) -> str:
-    """Return the section and the equation number of an entry in words."""
+    """Return the section and the equation number of an entry in words; of a claim in a file where it is printed."""
     number = result.equation.number
+    if result.equation.written is not None:
+        return ", ".join(filter(None, (f"equation {number}" if number else "", result.equation.at)))
     return f"section {result.section}" + (f", equation ({number})" if number.isdecimal() else "")
 
 
@@ -90,14 +117,31 @@ def extent(result: Result) -> str:
     """Return "if" for a sharp condition, "at least where" for a sufficient one, "where" for other statuses."""
     if result.status is not Status.HOLDS_IF:
         return "where"
-    return "if" if result.exact else "at least where"
+    return "if" if result.exact or result.found else "at least where"
 
 
 def domain(result: Result) -> tuple[str, ...]:
     """Return one line for the condition found and one for the domain stated by the paper."""
-    found = f"{extent(result)} {plain(result.condition)}" if result.condition else ""
-    stated = f"for {plain(result.claimed)}, as stated" if result.claimed else ""
+    condition = result.found or plain(result.condition or "")
+    found = f"{extent(result)} {condition}" if condition else ""
+    stated = f"for {result.domain or plain(result.claimed)}, as stated" if result.claimed else ""
     return tuple(line for line in (found, stated) if line)
+
+
+def details(result: Result) -> tuple[str, ...]:
+    """Return further lines about a claim of a file: a point outside its condition, what mends it, what it needs."""
+    return (
+        *([result.outside.point] if result.outside else []),
+        *([result.cuts] if result.cuts else []),
+        *(f"true with: {change}" for change in result.changes),
+        *(f"only with {need}" for need in result.needs),
+        *(f"true as well with another sign or factor: {term}" for term in result.vacuous),
+    )
+
+
+def shown(result: Result) -> str:
+    """Return a result's formula in one line: a claim as written, a printed formula in Unicode."""
+    return result.claim or plain(result.printed)
 
 
 def why(result: Result) -> str:
@@ -108,15 +152,19 @@ def why(result: Result) -> str:
 
 def command(result: Result) -> str:
     """Return the command that prints the entry with its counterexample."""
+    if result.equation.written is not None:
+        return f"dualcay verify {result.equation.source} --eq {result.equation.number}"
     return f"dualcay verify --paper {result.paper} --eq {result.equation.number}"
 
 
 SHOWN_DIGITS = 10
+TWICE = ", rates "
+"""Word for numbers with first and second rates."""
 
 
-def example(found: Counterexample) -> tuple[str, ...]:
+def example(found: Counterexample, entry: Entry | None = None) -> tuple[str, ...]:
     """Return a counterexample as lines: values of the symbols, then the first number that differs between the sides."""
-    lines = tuple(f"{plain(name)} = {_numbers(parts)}" for name, parts in found.letters.items())
+    lines = tuple(f"{plain(name)} = {_numbers(parts, _second(entry, parts))}" for name, parts in found.letters.items())
     if len(found.sides) != 2 or not all(found.sides):
         return *lines, f"{found.point}: the statement is false"
     left, right = found.sides
@@ -125,11 +173,26 @@ def example(found: Counterexample) -> tuple[str, ...]:
     return *lines, f"{which}left {left[i][: SHOWN_DIGITS + 2]}, right {right[i][: SHOWN_DIGITS + 2]}"
 
 
-def _numbers(parts: list[str]) -> str:
-    """Return the real parts, then the dual parts after ε, as one string."""
+def _second(entry: Entry | None, parts: list[str]) -> str:
+    """Return what the second half of a symbol's numbers is: the dual part, the rate, or nothing."""
+    if entry is None or entry.written is None:
+        return " + ε " if len(parts) in (2, 6, 8, 18) else ""
+    quantities = {symbol.quantity.name for symbol in entry.free(entry.readings[0].statement)}
+    if any(KINDS[name].dual for name in quantities & KINDS.keys()):
+        return " + ε "
+    depth = rate_depth(entry.readings[0].statement)
+    return ("", ", rate ", TWICE)[depth] if entry.moving and depth < 3 else ""
+
+
+def _numbers(parts: list[str], second: str) -> str:
+    """Return the numbers of a value as one string, its second half or its rates after a word."""
     short = [part[: SHOWN_DIGITS + 2] for part in parts]
-    half = len(short) // 2
-    return f"{_tuple(short[:half])} + ε {_tuple(short[half:])}" if len(short) in (2, 6, 8, 18) else _tuple(short)
+    quarter, half = len(short) // 4, len(short) // 2
+    if second == TWICE and quarter:  # value, rate, rate again, second rate
+        pieces = short[:quarter], short[quarter:half], short[half + quarter :]
+        value, rate, second_rate = map(_tuple, pieces)
+        return f"{value}, rate {rate}, second rate {second_rate}"
+    return f"{_tuple(short[:half])}{second}{_tuple(short[half:])}" if second and half else _tuple(short)
 
 
 def _tuple(parts: list[str]) -> str:

@@ -9,10 +9,10 @@ from ...output.templates import holes, render
 from ..language.operator_table import define
 from ..language.printed import ATOM, LIST, POWER, PRODUCT, RELATION, SUM, Term, latex
 from ..result import Result, Status
-from .content import MEANING, Report, command, example, extent, label, place, readings, why
+from .content import Report, command, details, example, extent, label, place, readings, why
 from .plain import escape
 
-SCHEMA = 2
+SCHEMA = 3
 PROOF_FIELDS = ("statement", "scope", "status", "method")
 COLOUR = "#b3261e"
 CHANGED = {
@@ -31,6 +31,7 @@ def as_json(report: Report) -> str:
             {**{name: getattr(proof, name) for name in PROOF_FIELDS}, "seconds": round(proof.seconds, 6)}
             for proof in report.proofs
         ],
+        "errors": [problem.as_json() for problem in report.problems],
     }
     return json.dumps(data, indent=2, ensure_ascii=False) + "\n"
 
@@ -39,7 +40,7 @@ def page(form: str, report: Report) -> str:
     """Return the report as Markdown ("md"), HTML or LaTeX ("tex"): the template gets the functions that it names."""
     template = f"report/errata.{form}.j2"
     functions = (label, notes, extent, place, readings, why, command, example, mathml, escape)
-    data = {"report": report, "statuses": MEANING, "differing": differing_sides}
+    data = {"report": report, "statuses": report.statuses, "differing": differing_sides}
     data |= {status.name: status for status in Status} | {function.__name__: function for function in functions}
     return render(template, **{name: data[name] for name in holes(template)})
 
@@ -49,13 +50,15 @@ def notes(result: Result) -> tuple[str, ...]:
     entry = result.equation
     said = f"In the paper: “{entry.said}”" if entry.said else ""
     fixed = f"The reading follows from {entry.fixed_by}." if entry.fixed_by else ""
-    return tuple(note for note in (said, entry.remark, fixed) if note)
+    return *(note for note in (said, entry.remark, fixed) if note), *details(result)
 
 
 def differing_sides(result: Result) -> tuple[str, str]:
     """Return the printed and the corrected formula as LaTeX, with their smallest differing parts in colour."""
-    assert result.equation.corrected is not None
-    printed, corrected = _marked(result.verdicts[0].statement, result.equation.corrected)
+    entry = result.equation
+    mended = entry.corrected if entry.mended is None else entry.mended
+    assert mended is not None
+    printed, corrected = _marked(entry.written or result.verdicts[0].statement, mended)
     return latex(printed), latex(corrected)
 
 

@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 
 from ...output.tables import WIDTH, Column, Grid
+from ..language.written import written
 from ..result import Result, Status
-from .content import MEANING, Chapter, Report, command, domain, example, label, readings
+from .content import MEANING, Chapter, Report, command, details, domain, example, label, readings, shown
 from .plain import plain
 
 MIN_WIDTH = 72
@@ -24,16 +25,48 @@ def as_text(report: Report, width: int = WIDTH) -> str:
 
 
 def _grids(report: Report) -> Iterator[Grid]:
-    numbers = [Column(str(status), number=True) for status in MEANING]
-    counts = [(c.paper.short, *map(str, c.counts.values()), str(len(c.results))) for c in report.chapters]
+    numbers = [Column(str(status), number=True) for status in report.statuses]
+    counts = [
+        (c.paper.short, *(str(c.counts[status]) for status in report.statuses), str(len(c.results)))
+        for c in report.chapters
+    ]
     yield Grid("equations decided", [Column("paper"), *numbers, Column("all", number=True)], counts)
     for chapter in report.chapters:
+        if chapter.of_file:
+            yield from _claims(chapter)
+            continue
         for status in TABLES:
             if chapter.of(status):
                 yield table(chapter, status)
     if report.proofs:
         proofs = [(proof.scope, proof.status, proof.statement) for proof in report.proofs]
         yield Grid("proofs", [Column("scope"), Column("status"), Column("statement")], proofs, MIN_WIDTH)
+
+
+def _claims(chapter: Chapter) -> Iterator[Grid]:
+    """Yield the table of a file's claims, then each claim that does not hold, in full."""
+    columns = [Column("equation", width=14), Column("status", width=10)]
+    columns += [Column("claim", ratio=3), Column("finding", ratio=3)]
+    rows = [
+        (label(r), str(r.status), shown(r), _lines(*domain(r), *details(r)[:1], r.method)) for r in chapter.results
+    ]
+    yield Grid(chapter.paper.short, columns, rows, MIN_WIDTH, ruled=True)
+    for result in chapter.results:
+        if result.status in (Status.FALSE, Status.ERRATUM):
+            yield Grid(f"{label(result)}: {result.status}", [Column("", width=14), Column("")], list(_full(result)))
+
+
+def _full(result: Result) -> Rows:
+    yield "claim", shown(result)
+    if result.equation.at:
+        yield "printed at", result.equation.at
+    if result.equation.mended is not None and result.corrected:
+        yield "corrected", written(result.equation.mended)
+    if result.counterexample is not None:
+        yield DIFFERENT, _lines(*example(result.counterexample, result.equation))
+    for line in details(result):
+        yield "", line
+    yield KNOWN, result.method
 
 
 def table(chapter: Chapter, status: Status) -> Grid:

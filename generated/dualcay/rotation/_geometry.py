@@ -370,24 +370,29 @@ def transition(m: Any, c: Any, v: Components, v0: Components, table: Components)
     return matrix_product(back, start)
 
 
-def vector_of(gain: Any, e: Components) -> Result:
-    """Vector v = gain vec e of a quaternion e."""
-    _, e1, e2, e3 = e
-    v1 = e1 * gain
-    v2 = e2 * gain
-    v3 = e3 * gain
+def vector_of(m: Any, c: Any, e: Components, size: Any, whole: Any) -> Result:
+    """Vector v = gain vec e of a quaternion e of a size; NaN if `whole` is not finite."""
+    e0, e1, e2, e3 = e
+    gain, = c.gain(m, e0, e1, e2, e3, size)
+    factor = gain + (whole - whole)
+    v1 = e1 * factor
+    v2 = e2 * factor
+    v3 = e3 * factor
     return v1, v2, v3
 
 
 def from_quaternion(m: Any, c: Any, e: Components) -> Result:
-    """Vector v = gain vec q̂ of a unit dual quaternion q̂, CP23 (47)."""
+    """Vector v = gain vec q̂ of a dual quaternion q̂ of any norm, CP23 (47)."""
     e0, e1, e2, e3 = e
-    gain, = c.gain_unit(m, e0, e1, e2, e3)
-    return vector_of(gain, e)
+    square = e0 * e0 + (e1 * e1 + e2 * e2 + e3 * e3)
+    size = m.sqrt(square)
+    inverse = 1 / square
+    whole = size + inverse
+    return vector_of(m, c, e, size, whole)
 
 
 def quaternion_of(m: Any, Q: Components) -> Result:
-    """Positive multiple of the quaternion of a rotation Q, with scalar part >= 0."""
+    """Multiple of the quaternion of a rotation Q, and its size; the first component of its vector part is positive."""
     Q11, Q12, Q13, Q21, Q22, Q23, Q31, Q32, Q33 = Q
     a1 = Q32 - Q23
     a2 = Q13 - Q31
@@ -420,16 +425,17 @@ def quaternion_of(m: Any, Q: Components) -> Result:
     z31 = m.where(larger3, s13, z21)
     z32 = m.where(larger3, s23, z22)
     z33 = m.where(larger3, t3, z23)
-    sign = m.where((z30 < 0) | (z30 == 0) & ((z31 < 0) | (z31 == 0) & ((z32 < 0) | (z32 == 0) & (z33 < 0))), -1, 1)
-    return sign * z30, sign * z31, sign * z32, sign * z33
+    size = m.sqrt(z30 * z30 + (z31 * z31 + z32 * z32 + z33 * z33))
+    beside2 = size + z32 / 16
+    beside1 = size + z31 / 16
+    sign = m.where((beside1 < size) | (beside1 == size) & ((beside2 < size) | (beside2 == size) & (z33 < 0)), -1, 1)
+    return sign * z30, sign * z31, sign * z32, sign * z33, size
 
 
 def from_tensor(m: Any, c: Any, R: Components) -> Result:
     """Vector v of a rotation Q, computed from its quaternion."""
-    e = quaternion_of(m, R)
-    e0, e1, e2, e3 = e
-    gain, = c.gain_positive(m, e0, e1, e2, e3)
-    return vector_of(gain, e)
+    e0, e1, e2, e3, esize = quaternion_of(m, R)
+    return vector_of(m, c, (e0, e1, e2, e3), esize, esize)
 
 
 def from_angle_axis(m: Any, c: Any, angle: Components, line: Components) -> Result:
@@ -437,7 +443,14 @@ def from_angle_axis(m: Any, c: Any, angle: Components, line: Components) -> Resu
     alpha, = angle
     u1, u2, u3 = line
     r, _ = c.coefficient(m, alpha)
-    return u1 * r, u2 * r, u3 * r
+    every = alpha + u1 + u2 + u3
+    size = r + (every - every)
+    made1 = u1 * size
+    made2 = u2 * size
+    made3 = u3 * size
+    xmade = made1 * made1 + made2 * made2 + made3 * made3
+    inside, = c.inside(m, xmade)
+    return made1 * inside, made2 * inside, made3 * inside
 
 
 def axis_of(m: Any, v: Components) -> Result:
@@ -468,14 +481,13 @@ def to_angle_axis(m: Any, c: Any, v: Components) -> Result:
 def angle(m: Any, c: Any, v: Components) -> Result:
     """Angle α of v on its own branch."""
     v1, v2, v3 = v
+    r, _, _, _ = axis_of(m, v)
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
     x = v11 + v22 + v33
-    resting = x == 0
-    rown = m.sqrt(m.where(resting, 1 + x, x))
-    own, = c.unfolded(m, x, rown)
-    return m.where(resting, x, own),
+    own, = c.unfolded(m, x, r)
+    return own,
 
 
 def to_exponential(m: Any, c: Any, v: Components) -> Result:
@@ -484,7 +496,7 @@ def to_exponential(m: Any, c: Any, v: Components) -> Result:
     x = v1 * v1 + v2 * v2 + v3 * v3
     resting = x == 0
     square = m.where(resting, 1 + x, x)
-    length = m.sqrt(square)
+    length = m.sqrt(square) + (square - square)
     own, = c.unfolded(m, x, length)
     rate, = c.rate_scalars(m, x)
     share = m.where(resting, rate, own / length)
@@ -497,12 +509,17 @@ def from_exponential(m: Any, c: Any, w: Components) -> Result:
     x = w1 * w1 + w2 * w2 + w3 * w3
     resting = x == 0
     square = m.where(resting, 1 + x, x)
-    length = m.sqrt(square)
+    length = m.sqrt(square) + (square - square)
     alpha = m.where(resting, x, length)
     within, = c.reached(m, alpha)
     rn, slopen = c.coefficient(m, within)
     share = m.where(resting, slopen, rn / length)
-    return w1 * share, w2 * share, w3 * share
+    made1 = w1 * share
+    made2 = w2 * share
+    made3 = w3 * share
+    xmade = made1 * made1 + made2 * made2 + made3 * made3
+    inside, = c.inside(m, xmade)
+    return made1 * inside, made2 * inside, made3 * inside
 
 
 def turn(m: Any, c: Any, v: Components, table: Components) -> Result:
@@ -510,7 +527,12 @@ def turn(m: Any, c: Any, v: Components, table: Components) -> Result:
     cos, sin = table
     r, u1, u2, u3 = axis_of(m, v)
     rk, _, _ = c.turned(m, r, cos, sin)
-    return u1 * rk, u2 * rk, u3 * rk
+    made1 = u1 * rk
+    made2 = u2 * rk
+    made3 = u3 * rk
+    xmade = made1 * made1 + made2 * made2 + made3 * made3
+    inside, = c.inside(m, xmade)
+    return made1 * inside, made2 * inside, made3 * inside
 
 
 def shadow(m: Any, c: Any, v: Components, table: Components) -> Result:
@@ -522,13 +544,29 @@ def shadow(m: Any, c: Any, v: Components, table: Components) -> Result:
     sign, = c.direction(m, x, 0, r)
     sn = sign * sin
     rk, _, _ = c.turned(m, r, cos, sn)
-    return u1 * rk, u2 * rk, u3 * rk
+    made1 = u1 * rk
+    made2 = u2 * rk
+    made3 = u3 * rk
+    xmade = made1 * made1 + made2 * made2 + made3 * made3
+    inside, = c.inside(m, xmade)
+    return made1 * inside, made2 * inside, made3 * inside
+
+
+def stay(m: Any, c: Any, v: Components) -> Result:
+    """Vector v itself, the shadow by no turn; NaN where q̂ is not finite."""
+    v1, v2, v3 = v
+    x = v1 * v1 + v2 * v2 + v3 * v3
+    s, w, _, _ = c.quaternion_scalars(m, x)
+    one = 1 + (s - s + (w - w))
+    return one * v1, one * v2, one * v3
 
 
 def identity_jacobian(m: Any, c: Any, v: Components) -> Result:
-    """Identity I, the derivative of a shadow by no turn; NaN where v is not finite."""
+    """Identity I, the derivative of a shadow by no turn; NaN where v or q̂ is not finite."""
     v1, v2, v3 = v
-    none = v1 - v1 + (v2 - v2) + (v3 - v3)
+    x = v1 * v1 + v2 * v2 + v3 * v3
+    s, w, _, _ = c.quaternion_scalars(m, x)
+    none = s - s + (w - w) + (v1 - v1) + (v2 - v2) + (v3 - v3)
     one = 1 + none
     return one, none, none, none, one, none, none, none, one
 
@@ -568,8 +606,8 @@ def principal(m: Any, c: Any, v: Components, table: Components) -> Result:
     """Principal vector of v, turned back as the table of returns says for x; a principal v is returned unchanged."""
     v1, v2, v3 = v
     x = v1 * v1 + v2 * v2 + v3 * v3
-    beyond, cosine, sine = c.beyond(m, x, *table)
-    r = m.sqrt(m.where(beyond, x, 1 + x))
+    beyond, place, cosine, sine = c.beyond(m, x, *table)
+    r = m.sqrt(place)
     u1 = v1 / r
     u2 = v2 / r
     u3 = v3 / r
@@ -600,9 +638,8 @@ def compose(m: Any, c: Any, v2: Components, v1: Components) -> Result:
     e0_2, e1_2, e2_2, e3_2, size_2 = displacement(m, c, v2)
     e0_1, e1_1, e2_1, e3_1, size_1 = displacement(m, c, v1)
     found = quaternion_product((e0_2, e1_2, e2_2, e3_2), (e0_1, e1_1, e2_1, e3_1))
-    e0, e1, e2, e3 = found
-    gain, = c.gain_product(m, e0, e1, e2, e3, size_2, size_1)
-    return vector_of(gain, found)
+    size = size_2 * size_1
+    return vector_of(m, c, found, size, size)
 
 
 def between(m: Any, c: Any, v2: Components, v1: Components) -> Result:
@@ -687,29 +724,31 @@ def body_retract_jacobians(m: Any, c: Any, v: Components, delta: Components) -> 
     return retract_jacobians(m, c, (-v1, -v2, -v3), (-d1, -d2, -d3))
 
 
-def logarithm(m: Any, e: Components) -> Result:
-    """Logarithm δ of a displacement, from a positive multiple e of the quaternion of exp(δ)."""
+def logarithm(m: Any, e: Components, size: Any) -> Result:
+    """Logarithm δ of a displacement, from a positive multiple e, of a given size, of the quaternion of exp(δ)."""
     e0, e1, e2, e3 = e
-    negative = e0 < 0
-    cos = m.where(negative, -e0, e0)
     ss = e1 * e1 + e2 * e2 + e3 * e3
+    sign = m.where(size + e0 / 16 < size, -1, 1)
+    cos = sign * e0
     still = ss == 0
     sin = m.sqrt(m.where(still, cos, ss))
     angle = 2 * m.atan2(sin, cos)
-    gain = m.where(negative, -1, 1) * (m.where(still, 2 * cos, angle) / m.where(still, cos * cos, sin))
-    d1 = e1 * gain
-    d2 = e2 * gain
-    d3 = e3 * gain
+    gain = sign * (m.where(still, 2 * cos, angle) / m.where(still, cos * cos, sin))
+    factor = gain + (ss - ss)
+    d1 = e1 * factor
+    d2 = e2 * factor
+    d3 = e3 * factor
     return d1, d2, d3
 
 
 def local(m: Any, c: Any, v2: Components, v1: Components) -> Result:
     """Step δ from v1 to v2 in space, exp(δ) = R(v2) R(v1)⁻¹."""
     a1, a2, a3 = v1
-    e0_2, e1_2, e2_2, e3_2, _ = displacement(m, c, v2)
-    e0_1, e1_1, e2_1, e3_1, _ = displacement(m, c, (-a1, -a2, -a3))
+    e0_2, e1_2, e2_2, e3_2, size_2 = displacement(m, c, v2)
+    e0_1, e1_1, e2_1, e3_1, size_1 = displacement(m, c, (-a1, -a2, -a3))
     found = quaternion_product((e0_2, e1_2, e2_2, e3_2), (e0_1, e1_1, e2_1, e3_1))
-    return logarithm(m, found)
+    size = size_2 * size_1
+    return logarithm(m, found, size)
 
 
 def body_local(m: Any, c: Any, v2: Components, v1: Components) -> Result:
@@ -754,13 +793,13 @@ def interpolate(m: Any, c: Any, v1: Components, v2: Components, time: Components
     side = m.where(e1_1 * a1 + e2_1 * a2 + e3_1 * a3 < 0, -1, 1)
     ss1 = e1_1 * e1_1 + e2_1 * e2_1 + e3_1 * e3_1
     still1 = ss1 == 0
-    root1 = m.sqrt(m.where(still1, 1 + ss1, ss1))
+    root1 = m.sqrt(m.where(still1, 1 + ss1, ss1)) + (ss1 - ss1)
     sine1 = m.where(apart, m.where(still1, ss1, side * root1), e1_1 * axis1 + e2_1 * axis2 + e3_1 * axis3)
     sign1 = m.where(apart, side, 1)
     half1 = m.atan2(sign1 * sine1, sign1 * e0_1)
     sst = e1 * e1 + e2 * e2 + e3 * e3
     stillt = sst == 0
-    roott = m.sqrt(m.where(stillt, 1 + sst, sst))
+    roott = m.sqrt(m.where(stillt, 1 + sst, sst)) + (sst - sst)
     sinet = m.where(apart, m.where(stillt, sst, side * roott), e1 * axis1 + e2 * axis2 + e3 * axis3)
     halft = m.atan2(sign1 * sinet, sign1 * e0)
     halft_by_2 = 2 * halft
@@ -772,9 +811,14 @@ def interpolate(m: Any, c: Any, v1: Components, v2: Components, time: Components
     nosine = m.where(still, 1 + sinet, sinet)
     factor = m.where(still, 2 * slopen / z0s, rn / nosine)
     clear = apart | (m.abs(e0) < m.abs(sinet))
-    v_1 = m.where(clear, e1 * factor, axis1 * rn)
-    v_2 = m.where(clear, e2 * factor, axis2 * rn)
-    v_3 = m.where(clear, e3 * factor, axis3 * rn)
+    made1 = m.where(clear, e1 * factor, axis1 * rn)
+    made2 = m.where(clear, e2 * factor, axis2 * rn)
+    made3 = m.where(clear, e3 * factor, axis3 * rn)
+    xmade = made1 * made1 + made2 * made2 + made3 * made3
+    inside, = c.inside(m, xmade)
+    v_1 = made1 * inside
+    v_2 = made2 * inside
+    v_3 = made3 * inside
     return v_1, v_2, v_3
 
 
@@ -851,6 +895,7 @@ KERNELS: Mapping[str, Kernel] = {
     "from_exponential": Kernel(from_exponential, (("w", (3,)),), (3,), real=True),
     "turn": Kernel(turn, (("v", (3,)),), (3,), real=True),
     "shadow": Kernel(shadow, (("v", (3,)),), (3,), real=True),
+    "stay": Kernel(stay, (("v", (3,)),), (3,), real=True),
     "identity_jacobian": Kernel(identity_jacobian, (("v", (3,)),), (3, 3), real=True),
     "shadow_jacobian": Kernel(shadow_jacobian, (("v", (3,)),), (3, 3), real=True),
     "principal": Kernel(principal, (("v", (3,)),), (3,), real=True),

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="f9b005c1e90161a0",
+    programs="d5aebc56211e79ae",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="e760a9230069726f",
+    programs="7b0cdb85d2f4f188",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="2e4b07fae2d7f650",
+    programs="a0a94f9f218eda9f",
 )
 
 KERNELS = RotationKernels(CHART)

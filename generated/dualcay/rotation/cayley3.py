@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="55b756d1d688d643",
+    programs="dd0de6cd7eb89fcd",
 )
 
 KERNELS = RotationKernels(CHART)

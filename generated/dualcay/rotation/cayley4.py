@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="f726d26f63ec302c",
+    programs="0f7105d7915c6e8e",
 )
 
 KERNELS = RotationKernels(CHART)

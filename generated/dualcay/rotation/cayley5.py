@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="8589f818d776669e",
+    programs="bccbea41f3d5e631",
 )
 
 KERNELS = RotationKernels(CHART)

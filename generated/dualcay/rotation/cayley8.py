@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="bbac13ad65bfd6bb",
+    programs="b2544151c1fffb97",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="27837200d167db06",
+    programs="01c5176d6ef6ea68",
 )
 
 KERNELS = RotationKernels(CHART)

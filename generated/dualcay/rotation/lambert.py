@@ -31,7 +31,8 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="3c3891f8a52f920a",
+    programs="3f9ca1df2bddeb17",
+    ends=True,
 )
 
 KERNELS = RotationKernels(CHART)

@@ -31,7 +31,8 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="9f82d2d8b0cfe66f",
+    programs="d7bc21279ae356e3",
+    ends=True,
 )
 
 KERNELS = RotationKernels(CHART)

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="6e33ea16a7c49549",
+    programs="27880627a38345b4",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="cf17c8c3b5937c45",
+    programs="a3b7344cd9726e07",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="9232977fe313bb01",
+    programs="f81124a46ab26e05",
 )
 
 KERNELS = RotationKernels(CHART)

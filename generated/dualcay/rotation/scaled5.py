@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="0fd768aee944450c",
+    programs="144a59dc08d4bc45",
 )
 
 KERNELS = RotationKernels(CHART)

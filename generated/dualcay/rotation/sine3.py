@@ -31,7 +31,8 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="543f1c714eb67960",
+    programs="1e25a2df2ce079d3",
+    ends=True,
 )
 
 KERNELS = RotationKernels(CHART)

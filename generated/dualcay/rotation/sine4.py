@@ -31,7 +31,8 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="d26250626bba26e4",
+    programs="2e56cf865531a2f8",
+    ends=True,
 )
 
 KERNELS = RotationKernels(CHART)

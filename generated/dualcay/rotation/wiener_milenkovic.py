@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="4bfe8b4b8a5cdf8a",
+    programs="559e9197c3957475",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -11,6 +11,7 @@ import sys
 import tomllib
 from pathlib import Path
 
+import click
 import pytest
 
 import derive
@@ -80,6 +81,9 @@ def test_accepting_command_begins_as_typed(monkeypatch):
         (["generate", "-n", "2", "--target", "fortran"], 2, "'fortran' is not"),
         (["show"], 2, "Missing option '-n'"),
         (["show", "-n", "2", "--what", "p,r"], 2, "expected names out of p, q, quaternion"),
+        (["show", "--family", "lambert", "--what", "p"], 2, "only Cayley maps have p, not lambert"),
+        (["show", "--family", "lamb"], 2, "a family is one of"),
+        (["show", "--phi", "alpha**2"], 2, "not odd by its structure"),
         (["nonsense"], 2, "No such command 'nonsense'"),
         (["generate", "-n", "2", "-o", "/proc/nowhere"], 3, "cannot write /proc/nowhere"),
         (["generate", "-n", "2", "-o", ""], 2, "expected a name, got an empty one"),
@@ -225,6 +229,18 @@ def test_show_prints_formulas(form, expected):
     assert expected in done.stdout
 
 
+@pytest.mark.parametrize(
+    ("arguments", "expected"),
+    [
+        (["--family", "lambert,sine3", "--what", "tangent"], "name = lambert, phi = sin(alpha/4)\n  tangent = ("),
+        (["--phi", "sinh(alpha/3)"], "name = phi, phi = sinh(alpha/3)\n  quaternion = (cos(alpha/2)) 1"),
+        (["--phi", "tan(alpha/(2*n))", "-n", "7", "--what", "p"], "p_7 = 1 - 21*x"),
+    ],
+)
+def test_show_prints_other_charts(arguments: list[str], expected: str):
+    assert expected in dualcay("show", *arguments).stdout
+
+
 def test_show_prints_json():
     found = json.loads(dualcay("show", "-n", "1-2", "--what", "q,tangent", "--format", "json").stdout)
     assert [entry["n"] for entry in found] == [1, 2]
@@ -257,7 +273,9 @@ def test_needed_libraries_match_the_extra():
 def test_every_option_has_help():
     for command in commands.cli.commands.values():
         for parameter in command.params:
-            assert getattr(parameter, "help", ""), f"{command.name} {parameter.opts}"
+            if isinstance(parameter, click.Option):  # the help of a command names its files
+                assert parameter.help, f"{command.name} {parameter.opts}"
+
 
 
 # --- tables and progress ------------------------------------------------------------------------------------------

@@ -109,13 +109,13 @@ def test_progress_of_a_check_counts_the_modules_in_the_folder(tmp_path: Path, mo
         (("--name", "mine"), "--phi and --name belong together"),
         (("--phi", "alpha + 1", "--name", "mine"), "not odd by its structure"),
         (("--phi", "__import__('os').system('true')", "--name", "mine"), "not understood in phi"),
-        (("--phi", "n*alpha", "--name", "mine"), "give its value with -n"),
+        (("--phi", "n*alpha", "--name", "mine"), "give its value, by -n or as order="),
         (("--phi", "n*alpha", "--name", "mine", "-n", "2,3"), "n in phi has one value"),
         (("--phi", "alpha#c", "--name", "mine"), "not understood in phi: '#'"),
         (("--phi", "alpha\n", "--name", "mine"), "not understood in phi"),
         (("--phi", "alpha/2", "--name", "lambert"), "is the name of a committed module"),
         (("--phi", "alpha/2", "--name", "not a name"), "an identifier"),
-        (("--phi", "alpha*tan(pi/2 - 1 - alpha**2)", "--name", "mine"), "kernels compute no cot"),
+        (("--phi", "alpha*tan(pi/2 - 1 - alpha**2)", "--name", "mine"), "poses that turn further, up to pi, have no v"),
     ],
 )
 def test_refusals(tmp_path: Path, arguments: tuple[str, ...], reason: str):

@@ -84,12 +84,12 @@ def texts() -> dict[str, str]:
     [
         ("_quaternion_scalars", "-3 * (w / c)", "-2 * (w / c)"),
         ("_tangent_scalars", "128 * c", "64 * c"),
-        ("_gain_unit", "/ 6", "/ 4"),
-        ("_gain_positive", "1 + tt", "1 - tt"),
+        ("_gain", "/ 6", "/ 4"),
+        ("_gain", "1 + tt", "1 - tt"),
         ("_direction", "y < 0", "0 < y"),
         ("_natural", "6 / c", "3 / c"),
         ("_turned", "further < 0", "1 < 0"),
-        ("_beyond", "limit1 < limit1 +", "limit1 < limit1 -"),
+        ("_beyond", "limit1 + (x", "limit1 - (x"),
         ("_coefficient", "1 - tt", "1 + tt"),
     ],
 )

@@ -33,7 +33,7 @@ EQUIVALENT = {
     r"rotation_\w+_shadow_jacobian_core: const int still = total <": "the same",
     r"rotation_\w+retract_core: .*(factor|z0s) = still \?": "it is multiplied by a vector that is 0 there",
     r"rotation_\w+_exponential_scalars_core: made_at\[[567] \* \w+\] = [fgh]y;": "rotations read no slope of f, g, h",
-    r"angle_core: const int resting = x <": "of v = 0 the angle that is computed is 0 too: it is chosen for gradients",
+    r"\((ss\w*|square) - \1\)|const dualcay_real (none|one) =": "0 is added or subtracted, which only infinity changes",
     r"const dualcay_real z\w = \(near\w \? (x\w) : \1 \+ \1\) / 4;": "what is far goes into no series",
     r"const int near\w = x\w < [57];": "next to the limit both sides are right",
     r"\* \(50[57] - z\w\)": "the last terms of the series: less than a condition makes of what is cut off",

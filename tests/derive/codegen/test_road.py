@@ -69,8 +69,8 @@ def flipped(text: str, function: str, pattern: str, replacement: str) -> str:
     [
         ("cayley3.py", "_quaternion_scalars", r"p = 1 - 3 \* x", "p = 1 + 3 * x"),
         ("cayley4.py", "_ray", r"return p, q, root", "return p, q, 1"),
-        ("cayley3.py", "_gain_unit", r"/ 3\b", "/ 4"),
-        ("cayley4.py", "_gain_positive", r"\(1 \+ ", "(1 - "),
+        ("cayley3.py", "_gain", r"/ 3\b", "/ 4"),
+        ("cayley4.py", "_gain", r"\(1 \+ ", "(1 - "),
         ("cayley3.py", "_turned", r"iden \* iden", "iden"),
         ("cayley3.py", "_natural", r"2 \* m\.atan2", "m.atan2"),
         (GEOMETRY, "tensor", r"gvv1 - fv3", "gvv1 + fv3"),

@@ -72,7 +72,7 @@ ALTERED = {
         "array-api", "_rules.py", "at.moved(-v1, at.twist", "at.moved(v1, at.twist", "rule of between of 6",
     ),
     "scalars beside the rules": ("array-api", "_slopes.py", "(1 - f) / xx", "(2 - f) / xx", "pose_scalars"),
-    "slope of a gain": ("array-api", "_slopes.py", "share * (fe * hi - 1)", "share * (fe * hi + 1)", "slopes of gain_"),
+    "slope of a gain": ("array-api", "_slopes.py", "share * (fe * hi - 1)", "share * (fe * hi + 1)", "slopes of gain"),
     "selection of a switch": (
         "array-api", "_branches.py", "kernels.twist(v, covariance", "kernels.twist(moved, covariance",
         "switch of 6 components: covariance",

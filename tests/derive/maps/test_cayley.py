@@ -53,17 +53,6 @@ def test_tangent_is_the_derivative_of_the_tensor(n: int) -> None:
         assert sympy.Matrix([rate[2, 1], rate[0, 2], rate[1, 0]]) == T.subs(point)[:, k]
 
 
-@pytest.mark.parametrize("name", ["quaternion", *MAPS])
-@pytest.mark.parametrize("n", [1, 2, 3, 6])
-def test_dual_matrix_is_the_directional_derivative(n: int, name: str) -> None:
-    re, du = getattr(Cayley(n), name).matrix(V)
-    slope = sum((re.diff(V[k]) * V[k + 3] for k in range(3)), sympy.zeros(*re.shape))
-    point = dict(zip(V, map(sympy.Rational, ("1/3", "-2/5", "3/7", "1", "2", "3")), strict=True))
-    assert du.subs(point) != sympy.zeros(*re.shape)
-    assert all(sympy.expand(entry) == 0 for entry in (du - slope).subs(point))
-    assert re.shape == ((4, 1) if name == "quaternion" else (3, 3))
-
-
 @pytest.mark.parametrize("n", ORDERS)
 def test_symbolic_and_numeric_forms_agree(n: int, draw_exact) -> None:
     m = Cayley(n)
@@ -173,5 +162,7 @@ def test_bad_input() -> None:
         Cayley(0)
     with pytest.raises(TypeError, match=r"n must be an integer >= 1, got 2.5 of type float"):
         Cayley(2.5)  # type: ignore[arg-type]
-    with pytest.raises(ValueError, match=r"expected 6 symbols, .* got 3"):
-        Cayley(2).tensor.matrix(V[:3])
+    with pytest.raises(ValueError, match=r"expected 6 components, .* or 3 for a rotation, got 4"):
+        Cayley(2).tensor.matrix(V[:4])
+    with pytest.raises(ValueError, match="t"):
+        Cayley(2).tensor.matrix(["t", 0, 0])  # type: ignore[list-item]

@@ -63,7 +63,7 @@ def test_accepted_texts(text: str, expected: sympy.Expr):
         ("(alpha\n/2)", "not understood in phi: '\\n'"),
         ("alpha +", "phi is no expression"),
         ("", "phi is no expression"),
-        ("n*alpha", "give its value with -n"),
+        ("n*alpha", "give its value, by -n or as order="),
         ("alpha/0", "divides by zero"),
         ("alpha/(1 - 1)", "divides by zero"),
         ("alpha**alpha", "powers in phi are numbers"),
@@ -98,7 +98,7 @@ AT_LIMITS = [
     (lambda k: f"1.{'1' * (k - 1)}", grammar.DIGITS_MAX),
     (lambda k: f"1e{k}", grammar.DECIMAL_EXPONENT_MAX),
     (lambda k: f"1e-{k}", grammar.DECIMAL_EXPONENT_MAX),
-    (lambda k: f"alpha{' ' * (k - 7)}+0", grammar.CHARACTERS_MAX),
+    (lambda k: f"alpha{' ' * (k - 7)}+0", grammar.PHI.characters_max),
 ]
 
 
@@ -136,10 +136,10 @@ def test_user_text_is_never_run(monkeypatch: pytest.MonkeyPatch):
 def test_wrong_grammar_is_refused_without_sympy() -> None:
     code = """
 import sys
-from derive.maps.any_phi.grammar import syntax_tree
+from derive.maps.any_phi.grammar import PHI
 from derive.maps.phi_error import PhiError
 try:
-    syntax_tree("alpha + beta")
+    PHI.tree("alpha + beta")
 except PhiError:
     sys.exit("sympy" in sys.modules)
 """

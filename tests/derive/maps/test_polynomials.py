@@ -13,7 +13,7 @@ import sympy
 from derive.algebra import Dual
 from derive.algebra.arithmetic import PLAIN
 from derive.maps import Cayley, polynomials
-from derive.maps.any_phi import near_zero
+from derive.maps.any_phi import intervals, near_zero
 from derive.maps.any_phi.expressions import parsed
 from derive.maps.cayley_scalars import HORNER_LIMIT, chain
 from derive.maps.families import alpha
@@ -188,12 +188,16 @@ def test_phi_not_analytic_or_not_increasing_has_no_bound(text: str):
     assert near_zero.smallest(phi, RADIUS) is None or not near_zero.is_analytic(phi, RADIUS)
 
 
-def test_cells_cover_a_quarter_of_the_disc_and_arcs_of_the_circle():
-    arcs, cells = list(near_zero._arcs(RADIUS)), list(near_zero._cells(RADIUS))
+def test_squares_cover_a_quarter_of_the_disc_and_arcs_the_circle():
+    with intervals.precise() as at:
+        arcs, squares = (
+            [(*at.bounds(box.real), *at.bounds(box.imag)) for box in boxes(at, RADIUS)]
+            for boxes in (near_zero._arcs, near_zero._squares)
+        )
     for z in points(2):
-        assert any(z.real in arc.real and z.imag in arc.imag for arc in arcs)
+        assert any(a <= z.real <= b and c <= z.imag <= d for a, b, c, d in arcs)
         for share in (0, "0.01", "0.5", "0.9", "0.999", 1):
             inside = z * mpmath.mpf(share)
-            assert any(inside.real in cell.real and inside.imag in cell.imag for cell in cells), inside
-    far = max(abs(mpmath.mpc(cell.real.b, cell.imag.b)) for cell in cells)
+            assert any(a <= inside.real <= b and c <= inside.imag <= d for a, b, c, d in squares), inside
+    far = max(abs(mpmath.mpc(b, d)) for _, b, _, d in squares)
     assert far < RADIUS * (1 + mpmath.sqrt(2) / 12 + mpmath.mpf("0.001"))

@@ -134,8 +134,8 @@ def test_html_has_four_pages_with_theorems(written: Path) -> None:
     [
         (["--what", "sheet"], "the sheet needs -o with an ending .html or .pdf"),
         (["--what", "sheet", "-o", "sheet.txt"], "the sheet needs -o with an ending .html or .pdf"),
-        (["--what", "sheet", "-n", "2", "-o", "sheet.pdf"], "and no -n or --format"),
-        (["--what", "sheet", "--format", "json", "-o", "sheet.pdf"], "and no -n or --format"),
+        (["--what", "sheet", "-n", "2", "-o", "sheet.pdf"], "no chart, no --format"),
+        (["--what", "sheet", "--format", "json", "-o", "sheet.pdf"], "no chart, no --format"),
         (["--what", "sheet,p", "-n", "2"], "or sheet alone, got 'sheet'"),
         (["--what", "p", "-n", "2", "-o", "p.html"], "add --what sheet"),
     ],

@@ -74,7 +74,8 @@ def test_equations_are_chosen_by_string_or_list():
 
 BASE = ("derive", "papers")
 PACKAGES = tuple(paper.package.rpartition(".")[2] for paper in PAPERS)
-DECIDING = ("sharp", "explore", "decide", "entry_certificate")
+DECIDING = ("sharp", "explore", "claim", "constrained", "probe", "conditions", "changes", "judge", "decide",
+            "entry_certificate", "sheet", "run")  # fmt: skip
 ENTRIES = ("equation", "result")
 ROOMS = ("numbers", "language", *ENTRIES, *PACKAGES, *DECIDING, "report", "")
 """Import order: each subpackage or module may import itself and earlier ones; the empty name is derive.papers."""

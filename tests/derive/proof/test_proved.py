@@ -204,7 +204,7 @@ def test_proof_refuses_a_wrong_map_of_every_chart(monkeypatch: pytest.MonkeyPatc
         ("pose_scalars", "g = 2 q^2", "g = 5 q^2"), ("pose_scalars", "x c = n", "x c = 2 n"),
         ("quaternion_scalars", "wy = 2 dw", "wy = 3 dw"), ("tangent_scalars", "df/dx", "dg/dx"),
         ("rate_scalars", "1/phi'", "phi'"), ("rate_scalars", "2n/(1 + x)", "n/(1 + x)"),
-        ("ray", "a/b = p/q", "a = p"), ("gain_unit", "sin(alpha/2)", "phi"),
+        ("ray", "a/b = p/q", "a = p"), ("gain", "sin(alpha/2)", "phi"),
     ],
 )  # fmt: skip
 def test_generation_refuses_a_wrong_comment(

@@ -12,6 +12,7 @@ from derive.papers.language.printed import Symbol
 from derive.papers.numbers.draw import Draw, polynomial, sphere
 from derive.papers.numbers.fields import FIELD_DIGITS, Decimal60
 from derive.papers.numbers.generic import Generic
+from derive.papers.numbers.kinds import KINDS
 from derive.papers.numbers.quantities import QUANTITIES
 
 DRAWN = [quantity for quantity in QUANTITIES.values() if quantity.draw is not None]
@@ -129,8 +130,8 @@ def test_constants_have_their_values() -> None:
 
 def test_quantities_with_separate_real_and_dual_parts() -> None:
     apart = {quantity.name for quantity in QUANTITIES.values() if quantity.apart}
-    real = {name for name in QUANTITIES if name.startswith("real")}
-    assert apart == {*real, "proposition", "line", "dual unit"}
+    real = {name for name, kind in KINDS.items() if not kind.dual} - {"rotation"}
+    assert apart == {*real, "real tensor", "real quaternion", "proposition", "line", "dual unit"}
 
 
 def test_exact_values_have_the_declared_number_of_symbols() -> None:

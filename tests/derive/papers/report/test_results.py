@@ -46,9 +46,11 @@ def test_data_of_an_erratum() -> None:
         "condition": None, "exact": None, "readings": [{"latex": "a = b", "verdict": "false", "note": "note"}],
         "reading_count": 1, "capped": False,
         "counterexample": {"point": "generic point 1", "letters": {"a": ["0.5", "-0.25"], r"\alpha": ["2"]},
-                           "sides": (["0.5", "3"], ["0.5", "4"])},
+                           "sides": (["0.5", "3"], ["0.5", "4"]), "proof": ""},
         "method": "exact", "anchor": "condurache-popa-2023-7", "section": "9", "line": 3, "source": SOURCE,
-        "said": "words", "remark": "A sign is missing. More.",
+        "said": "words", "remark": "A sign is missing. More.", "claim": None, "domain": None,
+        "outside": None, "certainty": "", "points": 0, "changes": (), "vacuous": (), "needs": (), "cuts": "", "at": "",
+        "latex": None,
     }  # fmt: skip
 
 

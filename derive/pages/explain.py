@@ -1,0 +1,132 @@
+"""Explanation of one kernel function of a chart: formula, theorems, programs with operations, places of the text."""
+
+from __future__ import annotations
+
+import importlib.util
+import inspect
+from collections import Counter
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from ..codegen.lowered import geometry, lower_chart
+from ..codegen.lowering.scalar_programs import FORMULAS
+from ..codegen.rows import Function
+from ..codegen.signatures import PUBLIC
+from ..maps.chart import Chart
+from ..proof import Proof, shown, theorems
+from ..proof.phi_theorems import any_phi
+from .coverage import COVERAGE
+
+SLOPES = {"slopes of the tangent operators": "slopes", "second slopes of the tangent operators": "second slopes"}
+"""Theorems on every φ by name of the theorem for every n, where the names differ by more than ``any phi:``."""
+
+
+@dataclass(frozen=True)
+class Explanation:
+    """Explanation of a kernel function; its text has a line for each fact."""
+
+    function: str
+    chart: Chart
+    formula: str  # contract of the geometry program, which all charts share
+    scalars: Mapping[str, str] = field(hash=False)  # formulas of the scalar programs that it calls, by name
+    theorems: tuple[Proof, ...]
+    validation: str  # how the text on disk is compared with the formula
+    operations: Mapping[str, Counter[str]] = field(hash=False)  # of the geometry and the scalar programs, by name
+    total: int  # operations of a call; a scalar program counts as often as it is called
+    places: tuple[str, ...]  # files and lines of the recipe and of the generated text
+
+    def __repr__(self) -> str:
+        return "\n".join(self._lines())
+
+    def _lines(self) -> Iterator[str]:
+        yield f"{self.function} of {self.chart.name}, v = {self.chart.parameter} u"
+        yield f"formula      {self.formula}"
+        yield from (f"  {name:<10} {text}" for name, text in self.scalars.items())
+        yield from (f"theorem      {proof.name} [{proof.scope}]: {proof.statement}" for proof in self.theorems)
+        yield f"validation   {self.validation}"
+        for name, counted in self.operations.items():
+            yield f"program      {name}: {', '.join(f'{n} {op}' for op, n in sorted(counted.items())) or 'calls only'}"
+        yield f"in all       {self.total} operations"
+        yield from (f"text         {place}" for place in self.places)
+
+
+def explain(chart: Chart, function: str) -> Explanation:
+    """Explain one kernel function of a chart: its formula, theorems, programs and where its text stands.
+
+    Parameters
+    ----------
+    chart : Chart
+        Chart such as ``derive.Cayley(7)``, with a number as its order.
+    function : str
+        Name of a function of the chart's module, such as ``"pose"`` or ``"dcay"``.
+
+    Returns
+    -------
+    Explanation
+        Its text shows one fact a line. Attributes: ``formula``, ``scalars``, ``theorems``, ``validation``,
+        ``operations``, ``total``, ``places``.
+
+    Raises
+    ------
+    ValueError
+        If the module has no such function, or the chart has no kernels.
+
+    Examples
+    --------
+    >>> import derive
+    >>> found = derive.explain(derive.Cayley(3), "pose")
+    >>> found.formula
+    'Homogeneous matrix [[Q, ρ], [0, 1]] of R = Q + ε skew(ρ) Q, CP23 (16), (57).'
+    >>> found.operations["pose_scalars"]["div"]
+    2
+    """
+    row = next((row for row in PUBLIC.values() if function in (row.name, *row.aliases_in(chart))), None)
+    if row is None:
+        raise ValueError(f"a function is one of {', '.join(PUBLIC)}, got {function!r}")
+    if not isinstance(chart.order, int):
+        raise ValueError(f"kernels have a number as order n, got {chart.order}: put one in its place, by subs")
+    chart.require_kernels()
+    kernel, scalars, covered = geometry()[row.kernel], lower_chart(chart).scalars, COVERAGE[row.name]
+    calls = [call.function for call in kernel.calls if call.function in scalars]  # n = 1 has no other branch to turn to
+    called = list(dict.fromkeys(calls))
+    return Explanation(
+        row.name, chart, PUBLIC[row.kernel].traced().contract,
+        scalars={name: _formula(chart, name) for name in called},
+        theorems=_rests_on(chart, row),
+        validation="; validated only: ".join(filter(None, (covered.validation, covered.only_validated))),
+        operations={row.kernel: kernel.operations, **{name: scalars[name].operations for name in called}},
+        total=kernel.operations.total() + sum(scalars[name].operations.total() for name in calls),
+        places=tuple(_places(chart, row, called)),
+    )  # fmt: skip
+
+
+def _formula(chart: Chart, name: str) -> str:
+    every, of_order, _ = FORMULAS[name]
+    return "; ".join([shown(every), *([shown(of_order, chart.cayley)] if chart.cayley and of_order else [])])
+
+
+def _rests_on(chart: Chart, row: Function) -> tuple[Proof, ...]:
+    """Return the theorems for every n behind a function of a Cayley map, or those for every φ."""
+    wanted = COVERAGE[row.name].theorems
+    if not chart.cayley:
+        wanted = tuple(f"any phi: {SLOPES.get(name, name)}" for name in wanted)
+    return tuple(proof for proof in (theorems() if chart.cayley else any_phi()) if proof.name in wanted)
+
+
+def _places(chart: Chart, row: Function, called: list[str]) -> Iterator[str]:
+    """Yield file and line of the recipe, of the public function and of the programs that it runs."""
+    recipe = PUBLIC[row.kernel].recipe
+    assert recipe is not None
+    file, line = recipe.__module__.replace(".", "/"), inspect.getsourcelines(recipe)[1]
+    yield f"{file}.py:{line}  recipe {recipe.__name__}"
+    package = importlib.util.find_spec("dualcay")
+    folder = Path(package.origin).parent if package and package.origin else Path()
+    module = (chart.base or chart).name  # a multiple runs the programs of its base chart
+    for file, names in (("_interface", [row.name]), ("_geometry", [row.kernel]), (module, [f"_{c}" for c in called])):
+        text = folder / f"{file}.py"
+        lines = text.read_text(encoding="utf-8").splitlines() if text.exists() else []
+        for name in names:
+            place = next((i for i, line in enumerate(lines, 1) if line.strip().startswith(f"def {name}(")), None)
+            written = f":{place}  {name}" if place else f"  {name}, by dualcay generate {' '.join(chart.selection)}"
+            yield f"dualcay/{file}.py{written}"

@@ -1,0 +1,200 @@
+"""``python -m derive.pages.field``: decide the library of formulas in use, and write its page with JSON beside it.
+
+The exit code is 1 if, with ``--check``, a file is stale. An equation that is not decided in its time is on the page.
+"""
+
+from __future__ import annotations
+
+import argparse
+import re
+import sys
+from collections import Counter
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+
+from ..output import files
+from ..output.progress import bar
+from ..papers import SECONDS, Result, Status
+from ..papers.report.content import example
+from ..papers.report.pages import differing_sides
+from .field_facts import COLLECTIONS, TRUE, WRONG, Document, Place, anchor, as_json, correction, decided, sheets
+
+HEAD = """# Formulas in use
+
+Libraries, theses and flight code are written from formula sheets, manuals and documentation. This page lists {count}
+formulas of such documents, of code, and of reports by readers. Each was entered as printed, at a commit or in a thread,
+and decided by computation in the conventions of its source. Later versions may differ. An entry is cited by its anchor,
+such as `kindr-411`, and [field.json](field.json) holds the same facts for programs. `make verify` writes both;
+`dualcay verify` with a [file of claims](reference/claims.md) decides a document of yours.
+"""
+
+WRONG_HEAD = """
+## Wrong formulas
+
+A formula is listed if it is false as printed and its correction is true. Both are shown in the notation of claims,
+with the differing parts in red, and with numbers at which the sides of the printed formula differ.
+"""
+
+CODE_HEAD = """
+## Series near zero in code
+
+Near zero, code replaces a closed form by a series. The table gives the norm at which it switches. The relative error of
+the coefficient is given just below, where the series is used, and just above, where the closed form is used: there it
+is the largest found within 3 %. Errors were computed in the given precision against 200 digits. Where a series is true
+to its order, "holds" says nothing on the rounding of the closed form.
+
+| code | status | precision | switch | error below | error above | formula |
+|---|---|---|--:|--:|--:|---|"""
+
+SCORE_HEAD = """
+## Formulas that readers reported
+
+Readers reported these formulas in public threads: {found} are found wrong here, {missed} are missed, and {alarms} were
+false alarms, where the formula is true.
+
+| thread | formula | verdict |
+|---|---|---|"""
+
+CONDITION_MAX = 90
+"""Length of a condition that fits into a table."""
+
+
+def page(library: Sequence[Document]) -> str:
+    """Return the page as Markdown."""
+    every = [(of, result) for of in library for result in of.results]
+    scores = Counter(of.score(result) for of, result in every)
+    code = [(of, result) for of, result in every if of.on(result).get("switch")]
+    undecided = [(of, result) for of, result in every if result.status is Status.UNDECIDED]
+    lines = [HEAD.format(count=len(every)), *_counts(library), WRONG_HEAD]
+    for of in library:
+        if of.count(*WRONG):
+            lines += [f"### {of.short}\n", *(line for r in of.results if r.status in WRONG for line in _wrong(of, r))]
+    if undecided:
+        lines += ["## Undecided\n", *(f"- {_link(of, result)}: {result.method}" for of, result in undecided)]
+    lines += [CODE_HEAD, *(line for of, result in code for line in _switches(of, result))]
+    lines.append(SCORE_HEAD.format(found=scores["found"], missed=scores["missed"], alarms=scores["false alarm"]))
+    lines += [f"| {_thread(of.on(r)['report'])} | {_link(of, r)} | {of.score(r)} |" for of, r in every if of.score(r)]
+    lines += ["\n## All formulas", *(line for of in library for line in _claims(of))]
+    lines += ["\n## To cite a document\n", "```bibtex", *(of.about["bibtex"] for of in library), "```", ""]
+    return "\n".join(lines)
+
+
+def _counts(library: Sequence[Document]) -> Iterator[str]:
+    """Yield the table of documents: what is true, true with a condition, wrong and undecided."""
+    yield "| document | equations | true | conditions | wrong | undecided |\n|---|--:|--:|--:|--:|--:|"
+    kinds = ((Status.HOLDS,), (Status.HOLDS_IF,), WRONG, (Status.UNDECIDED,))
+    for of in sorted(library, key=lambda of: of.slug in COLLECTIONS):
+        numbers = [len(of.results), *(of.count(*statuses) for statuses in kinds)]
+        yield f"| [{of.short}](#in-{of.slug}) | {' | '.join(map(str, numbers))} |"
+    total = [sum(len(of.results) for of in library), *(sum(of.count(*s) for of in library) for s in kinds)]
+    yield f"| all | {' | '.join(map(str, total))} |"
+
+
+def _wrong(of: Document, result: Result) -> Iterator[str]:
+    """Yield the lines of a wrong formula: both forms, numbers, and code that has it too."""
+    entry, facts = result.equation, of.on(result)
+    yield f'<a id="{anchor(result)}"></a>\n\n#### {of.slug} {entry.number}\n'
+    yield f"{_at(entry.at, of.place(result))}. Error: {facts.get('error', 'see the numbers')}.\n"
+    yield f"- As it stands: {_maths(entry.printed)}"
+    if result.corrected:
+        printed, corrected = differing_sides(result)
+        yield f"- As a claim: {_maths(printed)}\n- Corrected: {_maths(corrected)}"
+    if terms := _definitions(result):
+        yield f"- Here {terms}"
+    if result.counterexample is not None:
+        yield f"- Its sides differ at `{'; '.join(example(result.counterexample, entry))}`"
+    for code in facts.get("code", ()):
+        where = f"{code['source']}, {code['at']}"
+        yield f"- The same in code: {_at(where, Place.of(where, where))}: {code['error']}."
+    if entry.remark:
+        yield f"- Note: {entry.remark}."
+    yield ""
+
+
+def _definitions(result: Result) -> str:
+    """Return the definitions of the document that a claim and its correction name, those that these name included."""
+    known = {item.name: item for item in result.equation.abbreviations.values()}
+    texts, found = [f"{result.claim} {correction(result)}"], dict[str, str]()
+    while texts:
+        for name in re.findall(r"[A-Za-z]\w*", texts.pop()):
+            if name in known and name not in found:
+                found[name] = f"`{known[name].head} = {known[name].text}`"
+                texts.append(known[name].text)
+    return ", ".join(found.values())
+
+
+def _switches(of: Document, result: Result) -> Iterator[str]:
+    """Yield a row for each precision: the switch and the errors on both of its sides."""
+    entry = result.equation
+    for precision, (at, below, above) in of.on(result)["switch"].items():
+        numbers = f"{at:.3g} | {below:.1e} | {above:.1e}"
+        name = f"[{entry.number}]({of.place(result).link})"
+        yield f"| {name} | {result.status} | {precision} | {numbers} | {_maths(entry.printed)} |"
+
+
+def _claims(of: Document) -> Iterator[str]:
+    """Yield the table of a document's formulas with their status and condition."""
+    yield f'\n<a id="in-{of.slug}"></a>\n\n### {of.title}\n\n{of.sheet.citation}.'
+    yield f"Conventions: {of.about['conventions']}. Licence: {of.about['licence']}.\n"
+    yield "| | status | condition | printed |\n|---|---|---|---|"
+    for result in of.results:
+        label = result.equation.number
+        name = _link(of, result, label) if result.status in WRONG else f'<a id="{anchor(result)}"></a>{label}'
+        how = f" ({result.certainty})" if result.status in TRUE else ""
+        yield f"| {name} | {result.status}{how} | {_condition(result)} | {_maths(result.equation.printed)} |"
+
+
+def _condition(result: Result) -> str:
+    """Return the condition found and the domain stated, as a cell of a table."""
+    words = ["in field.json" if len(result.found) > CONDITION_MAX else f"`{result.found}`"] if result.found else []
+    return "; ".join([*words, *([f"stated for `{result.domain}`"] if result.domain else [])]).replace("|", "\\|")
+
+
+def _link(of: Document, result: Result, label: str = "") -> str:
+    """Return a link to the entry of a wrong formula, or to the document of another."""
+    target = anchor(result) if result.status in WRONG else f"in-{of.slug}"
+    return f"[{label or f'{of.slug} {result.equation.number}'}](#{target})"
+
+
+def _at(words: str, place: Place) -> str:
+    """Return a place in words, as a link to the lines if the place is known to the line."""
+    return f"[{words}]({place.link})" if place.link else words
+
+
+def _thread(address: str) -> str:
+    """Return a link to a thread."""
+    return f"[{address.removeprefix('github.com/')}](https://{address})"
+
+
+def _maths(latex: str) -> str:
+    """Return a formula without bars, which would end the cell of a table."""
+    return f"$`{latex.replace(chr(92) + '|', chr(92) + 'Vert ').replace('|', chr(92) + 'vert ')}`$"
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Decide the library, and write or compare the page and the JSON beside it."""
+    parser = argparse.ArgumentParser(prog="python -m derive.pages.field", description="Decide the formulas in use.")
+    parser.add_argument("-o", "--output", type=Path, required=True, help="page to write, with JSON beside it")
+    parser.add_argument("--check", action="store_true", help="compare the files instead")
+    parser.add_argument("--seconds", type=float, default=SECONDS, help="time limit of an equation")
+    options = parser.parse_args(arguments)
+    read, output = sheets(), options.output
+    problems = [problem for sheet in read for problem in sheet.problems]
+    if problems:
+        print(*problems, sep="\n", file=sys.stderr)
+        return 2
+    with bar(sum(len(sheet.entries()) for sheet in read)) as step:
+        library = decided(read, options.seconds, step)
+    texts = {output.name: page(library), output.with_suffix(".json").name: as_json(library)}
+    if not options.check:
+        files.write(output.parent, texts, force=True)
+        return 0
+    known = {output.parent / name for name in texts}
+    stale = [found.path for found in files.compare(output.parent, texts) if found.path in known]
+    for path in stale:
+        print(f"{path} is stale; accept with:  python -m derive.pages.field -o {output}", file=sys.stderr)
+    return 1 if stale else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,117 @@
+"""Claims that differ from a claim in one step: a sign, an inverse, a transpose, a factor, an order of operands."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from typing import Any
+
+from .language.calculus import BINDERS
+from .language.matrices import inverse, transpose
+from .language.operator_table import conjugate
+from .language.printed import Apply, Number, Symbol, Term, symbols
+
+Change = tuple[int, str, str, Term]
+"""Rank (simplest first), sort, words, and the changed claim or part."""
+Name = Callable[[Term], str]
+"""Function that prints a term."""
+SWAPPED = {"cross": "cross product", "times": "product", "dyad": "dyadic product", "over": "quotient",
+           "atan2 of two": "arguments"}  # fmt: skip
+SIGNED = ("plus", "minus")
+RELATIONS = ("equal", "both", "implies", "less", "at most", "greater", "at least", "unlike", "negated", "or")
+
+
+def changes(claim: Term, named: Name) -> list[Change]:
+    """Return the claims that differ from a claim in one step, simplest first; `named` prints a term."""
+    quaternions = any("quaternion" in symbol.quantity.name for symbol in symbols(claim))
+    found: dict[Term, Change] = {}
+    for node, rebuilt, depth in _places(claim):
+        for rank, sort, words, new in _steps(node, named, depth):
+            changed = rebuilt(new)
+            trivial = len(set(changed.arguments)) < 2 or changed == claim
+            if not trivial and (quaternions or sort != "conjugate"):
+                found.setdefault(changed, (rank, sort, words, changed))
+    return sorted(found.values(), key=lambda change: change[0])
+
+
+def signs_and_coefficients(claim: Term, named: Name) -> Iterator[tuple[str, Term]]:
+    """Yield the claims with one sign or one integer changed, each with the words for the term."""
+    for node, rebuilt, _ in _places(claim):
+        name, arguments = node.operator.name, node.arguments
+        if name in SIGNED:
+            other = SIGNED[name == "plus"]
+            yield f"sign of {named(arguments[1])}", rebuilt(Apply(other, *arguments))
+        elif name == "negative":
+            yield f"sign of {named(arguments[0])}", rebuilt(arguments[0])
+        elif name in ("times", "over"):
+            for i, argument in enumerate(arguments):
+                if isinstance(argument, Number) and argument.value:
+                    changed = [*arguments[:i], Number(argument.value + 1), *arguments[i + 1 :]]
+                    yield f"coefficient {argument.value} of {named(node)}", rebuilt(Apply(name, *changed))
+
+
+def _places(
+    node: Term, rebuilt: Callable[[Term], Term] = lambda new: new, depth: int = 0
+) -> Iterator[tuple[Term, Callable[[Term], Term], int]]:
+    """Yield each part of a term, the function that puts another part in its place, and its depth below a relation."""
+    yield node, rebuilt, depth
+    for i, argument in enumerate(node.arguments):
+        named = isinstance(argument, Symbol) and argument.quantity.name == "function"
+        if named or BINDERS.get(node.operator.name) == i:
+            continue  # the name of a definition, or a bound letter
+
+        def replaced(new: Term, i: int = i) -> Term:
+            return rebuilt(Apply(node.operator.name, *node.arguments[:i], new, *node.arguments[i + 1 :]))
+
+        yield from _places(argument, replaced, depth + (node.operator.name not in RELATIONS))
+
+
+def _steps(node: Term, named: Name, depth: int) -> Iterator[Change]:
+    """Yield the changes of one part; those of letters and of whole sides rank before those of other parts."""
+    name, arguments, shown = node.operator.name, node.arguments, named(node)
+    if name in SIGNED:
+        yield 0, "sign", f"sign of {named(arguments[1])}", Apply(SIGNED[name == "plus"], *arguments)
+        yield 1, "sign", f"sign of {named(arguments[0])}", Apply(name, -arguments[0], arguments[1])
+    if name == "negative":
+        yield 0, "sign", f"sign of {named(arguments[0])}", arguments[0]
+    if name in SWAPPED:
+        yield 2, "swapped", f"{SWAPPED[name]} swapped in {shown}", Apply(name, *reversed(arguments))
+    if name in (transpose.name, inverse.name, "conjugate"):
+        yield 1, name.split()[0], f"no {name.split()[0]} of {named(arguments[0])}", arguments[0]
+    for pair in _moved(node):
+        yield 4, "bracket", f"bracket moved in {shown}", pair
+    if isinstance(node, Number):
+        n = node.value
+        for value in dict.fromkeys((2 * n, *([n // 2] if n % 2 == 0 else []), n + 1, n - 1)) if n > 0 else ():
+            if not value:
+                continue
+            yield 1, "factor", f"{value} for {n}", Number(value)
+    elif name not in RELATIONS:
+        rank = 1 if depth == 0 or isinstance(node, Symbol) or name.startswith("call") else 2
+        for later, sort, words, form in _WRAPPED:
+            if [sort] == name.split()[:1]:
+                continue  # its absence is another change
+            yield rank + later, sort, f"{words} {shown}", form(node)
+
+
+_WRAPPED: tuple[tuple[int, str, str, Callable[[Term], Any]], ...] = (
+    (0, "sign", "sign of", lambda a: -a), (1, "transpose", "transpose of", transpose),
+    (1, "inverse", "inverse of", inverse), (1, "conjugate", "conjugate of", conjugate),
+    (1, "factor", "factor 1/2 at", lambda a: a / 2), (1, "factor", "factor 2 at", lambda a: 2 * a),
+    (2, "square", "square of", lambda a: a**2),
+)  # fmt: skip
+
+
+def _moved(node: Term) -> Iterator[Term]:
+    """Yield a term with a bracket moved: (a + b) c for a + b c, and back."""
+    name, arguments = node.operator.name, node.arguments
+    if name not in ("times", "over", *SIGNED):
+        return
+    a, b = arguments
+    if name in SIGNED and b.operator.name in ("times", "over", *SIGNED):
+        yield Apply(b.operator.name, Apply(name, a, b.arguments[0]), b.arguments[1])
+    if name in SIGNED and a.operator.name == "times":
+        yield Apply("times", a.arguments[0], Apply(name, a.arguments[1], b))
+    if name in ("times", "over") and a.operator.name in SIGNED:
+        yield Apply(a.operator.name, a.arguments[0], Apply(name, a.arguments[1], b))
+    if name == "times" and b.operator.name in SIGNED:
+        yield Apply(b.operator.name, Apply("times", a, b.arguments[0]), b.arguments[1])

@@ -1,0 +1,184 @@
+"""A claim with its letters, evaluated over balls at points given by coordinates."""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field, replace
+from fractions import Fraction
+from functools import cached_property
+from typing import Any
+
+from ..algebra import Dual
+from ..algebra.element import NotExactError
+from .equation import Entry
+from .language.environment import Env
+from .language.operator_table import both, epsilon, equal
+from .language.printed import Symbol, Term, Trait, symbols, walk, with_trait
+from .numbers.balls import PRECISIONS, Ball, Balls, BlurredError, arb, precision
+from .numbers.draw import jet
+from .numbers.fields import Field
+from .numbers.kinds import KINDS, Kind, Numbers
+from .numbers.quantities import ORDER, SIGN
+
+RATES_MAX = 2
+"""Highest order of a time derivative for which letters have rates."""
+FURTHER = tuple(map(Fraction, (-3, -2, -1, 1, 2, 3)))
+"""Dual parts and rates of coordinates."""
+Coordinates = Mapping[Symbol, Numbers]
+
+
+class RefusedError(Exception):
+    """Error for a claim that the engine cannot decide, with the reason."""
+
+
+@dataclass(frozen=True)
+class Place:
+    """Point at which a claim is evaluated.
+
+    `generic` points are drawn without relation between letters and near 1, where a region of truth shows; `on` tells
+    what is special about a point that lies on a zero set.
+    """
+
+    label: str
+    at: Coordinates
+    generic: bool = False
+    on: str = ""
+    parts: Mapping[Symbol, Numbers] = field(default_factory=dict)  # dual parts and rates, if not by a fixed seed
+
+
+@dataclass(frozen=True)
+class Claim:
+    """Statement with its stated domain and the entry that contains both."""
+
+    entry: Entry
+    statement: Term
+    lenient: bool = False  # whether a dual vector with real part 0 has a magnitude, as in the two papers
+
+    @cached_property
+    def parts(self) -> tuple[Term, ...]:
+        """Statement and domain."""
+        return self.statement, *((self.entry.claimed,) if self.entry.claimed is not None else ())
+
+    @cached_property
+    def letters(self) -> tuple[Symbol, ...]:
+        """Free letters; raise if one has no kind."""
+        found = self.entry.free(self.statement)
+        for letter in found:
+            if letter.quantity.name not in KINDS and letter.quantity not in (ORDER, SIGN):
+                raise RefusedError(f"the letter {letter.name} is a {letter.quantity.name}, which cannot be drawn")
+        return found
+
+    @cached_property
+    def coordinates(self) -> tuple[Symbol, ...]:
+        """Letters with coordinates: all but orders and signs."""
+        return tuple(letter for letter in self.letters if letter.quantity.name in KINDS)
+
+    @cached_property
+    def constraints(self) -> tuple[Term, ...]:
+        """Equations in the stated domain, which points must be moved to satisfy."""
+        return tuple(_equations(self.entry.claimed)) if self.entry.claimed is not None else ()
+
+    @cached_property
+    def dual(self) -> bool:
+        """Whether dual numbers occur."""
+        apart = bool(with_trait(Trait.APART, *self.parts)) or epsilon in (a for p in self.parts for a in symbols(p))
+        return apart or any(kind(letter).dual for letter in self.coordinates)
+
+    @cached_property
+    def depth(self) -> int:
+        """Highest order of a time derivative."""
+        depth = max(map(rate_depth, self.parts))
+        if depth > RATES_MAX:
+            raise RefusedError(f"rates are nested more than {RATES_MAX} deep")
+        return depth
+
+    def env(self, place: Place, field: Field | None = None) -> Env:
+        """Return the environment at a point, over balls by default."""
+        values: dict[Symbol, Any] = {a: value for a, value in place.at.items() if a not in self.coordinates}
+        for letter in self.coordinates:
+            values[letter] = self._value(letter, place, field)
+        return Env(field or Balls(self.lenient), values, self.entry.definitions, self.dual, self.depth)
+
+    def further(self, letter: Symbol, place: Place) -> Numbers:
+        """Return the dual parts and rates of a letter's coordinates, by a fixed seed if the point gives none."""
+        row = kind(letter)
+        if letter in place.parts:
+            return place.parts[letter]
+        source = random.Random(f"{letter.name} {place.label}")
+        count = row.size * ((1 + self.depth) * (1 + row.dual) - 1)
+        return [source.choice(FURTHER) for _ in range(count)]
+
+    def _value(self, letter: Symbol, place: Place, field: Field | None) -> Any:
+        """Return the value of a letter: each coordinate with its rates, its dual part and the rates of this."""
+        row, coordinates = kind(letter), place.at[letter]
+        if row.spread == "integer" and not self.dual and not self.depth:
+            return int(coordinates[0])
+        number = (lambda c: c) if field else (lambda c: Ball(arb(c)))
+        further = iter(self.further(letter, place))
+        still = row.constant or row.spread == "integer"
+
+        def coefficient(value: Any) -> Any:
+            rates = [number(next(further)) for _ in range(self.depth)]
+            return jet(value, [0 * rate for rate in rates] if still else rates)
+
+        def part(c: Any) -> Any:
+            value = coefficient(number(c))
+            if row.dual:
+                return Dual(value, coefficient(number(next(further))))
+            return Dual(value, 0 * value) if self.dual and self.depth else value
+
+        return row.build([part(c) for c in coordinates])
+
+    def truth(self, place: Place, statement: Term | None = None) -> bool | None:
+        """Return whether the claim, or another statement, is true at a point; None where it has no value.
+
+        Raise `BlurredError` if even the second precision does not tell.
+        """
+        found: bool | None = self.evaluated(place, self.statement if statement is None else statement, bool)
+        return found
+
+    def evaluated(self, place: Place, part: Term, form: Any = lambda a: a) -> Any:
+        """Return the value of a term at a point, or None where it has no value."""
+        for bits in PRECISIONS:
+            with precision(bits):
+                try:
+                    return form(self.env(place).value(part))
+                except NotExactError:
+                    raise
+                except ArithmeticError:
+                    return None
+                except BlurredError:
+                    continue
+        raise BlurredError
+
+    def inside(self, place: Place) -> bool:
+        """Return whether a point lies in the stated domain."""
+        return self.entry.claimed is None or bool(self.truth(place, self.entry.claimed))
+
+    def with_statement(self, statement: Term) -> Claim:
+        """Return another claim about the same letters."""
+        return replace(self, statement=statement)
+
+
+def kind(letter: Symbol) -> Kind:
+    """Return the kind of a letter."""
+    return KINDS[letter.quantity.name]
+
+
+def rate_depth(node: Term) -> int:
+    """Return how deep time derivatives are nested in a term."""
+    return max(map(rate_depth, node.arguments), default=0) + (Trait.RATE in node.operator.traits)
+
+
+def _equations(domain: Term) -> Iterator[Term]:
+    if domain.operator is both:
+        for part in domain.arguments:
+            yield from _equations(part)
+    elif domain.operator is equal:
+        yield domain
+
+
+def operators(*statements: Term) -> set[str]:
+    """Return the names of the operators of statements."""
+    return {node.operator.name for statement in statements for node in walk(statement)}

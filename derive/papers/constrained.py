@@ -1,0 +1,159 @@
+"""Points moved onto the equations of a stated domain, such as R Rᵀ = I, or to where a number of one sign vanishes.
+
+Both use Newton's method with least steps.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from fractions import Fraction
+from itertools import pairwise
+from typing import Any
+
+from .claim import Claim, Place, kind
+from .language.environment import Env
+from .language.printed import Term, Trait, symbols
+from .language.values import add, coefficients, negative
+from .numbers.balls import Ball, BlurredError, arb, flint, precision
+from .numbers.kinds import Numbers
+
+BITS, STEPS_MAX = 512, 40
+"""Bits of Newton's method, and its largest number of steps."""
+STEP, DAMPING = 200, 100
+"""Exponents of 2 of the step of differences, and of the term that makes dependent equations solvable."""
+KEPT = 20
+"""Exponent of 2 of the differences below which the slopes are kept."""
+REACHED, WIDTH = 300, 190
+"""Exponents of 2 of the largest difference of both sides in the end, and of the width of the coordinates."""
+APPROACH_MAX = 48
+"""Largest number of steps towards a zero of a number of one sign."""
+
+
+def onto(claim: Claim, place: Place) -> Place | None:
+    """Return a nearby point at which the equations of the stated domain hold, or None."""
+    start, moved = _coordinates(claim, place, claim.constraints)
+
+    def left(x: Sequence[Any]) -> list[Any]:
+        return [arb(c).mid() for c in gaps(claim.env(moved(x)), claim.constraints)]
+
+    with precision(BITS):
+        try:
+            x = _solved(left, start())
+        except (ArithmeticError, BlurredError):
+            return None
+        return None if x is None else moved(_wide(x))
+
+
+def touching(claim: Claim, place: Place, part: Term, size: Callable[[Any], Any]) -> Place | None:
+    """Return a nearby point where a number that does not change its sign vanishes, as the square of a length does.
+
+    Such zeros lie on no line through another point. Steps of twice the tangent's length approach them; then Newton's
+    method finds the zero of the gradient.
+    """
+    start, moved = _coordinates(claim, place, (part, *claim.constraints), further=False)
+
+    def value(x: Sequence[Any]) -> Any:
+        env = claim.env(moved(x))
+        squares = [arb(c) ** 2 for c in gaps(env, claim.constraints)]
+        return sum(squares, arb(size(env.value(part)))).mid()
+
+    def gradient(x: Sequence[Any]) -> list[Any]:
+        step = Ball(flint().arb(2) ** -STEP)
+        beside = [[[*x[:i], c + h, *x[i + 1 :]] for h in (step, -step)] for i, c in enumerate(x)]
+        return [((value(after) - value(before)) / (2 * step.arb)).mid() for after, before in beside]
+
+    with precision(BITS):
+        try:
+            x = _approached(value, gradient, start())
+            x = None if x is None else _solved(gradient, x, KEPT)
+            if x is None or not abs(value([Ball(c) for c in x])) < flint().arb(2) ** -REACHED:
+                return None
+        except (ArithmeticError, BlurredError, TypeError, AttributeError):
+            return None
+        return moved(_wide(x))
+
+
+def _approached(value: Any, gradient: Any, x: list[Any]) -> list[Any] | None:
+    """Return a point near a zero of a number of one sign, or None where it changes its sign or stays away from 0."""
+    first = last = value([Ball(c) for c in x])
+    for i in range(APPROACH_MAX):
+        slopes = gradient([Ball(c) for c in x])
+        square = sum(c * c for c in slopes)
+        if not square > 0:
+            return None
+        x = [(c - 2 * last * g / square).mid() for c, g in zip(x, slopes, strict=True)]
+        last = value([Ball(c) for c in x])
+        if not first * last > 0 or (i % 8 == 7 and not abs(last) < abs(first) / 2 ** (i // 8 + 1)):
+            return x if abs(last) < flint().arb(2) ** -KEPT else None
+        if abs(last) < flint().arb(2) ** (-2 * KEPT):
+            break
+    return x
+
+
+def _coordinates(
+    claim: Claim, place: Place, parts: Sequence[Term], further: bool = True
+) -> tuple[Callable[[], list[Any]], Callable[[Sequence[Any]], Place]]:
+    """Return the coordinates of the letters in some parts, and the function that moves the point to other ones."""
+    used = {a for part in parts for a in symbols(part)}
+    letters = [a for a in claim.coordinates if a in used and (further or kind(a).spread != "integer")]
+    start = [[*place.at[a], *(claim.further(a, place) if further else ())] for a in letters]
+    sizes = [len(place.at[a]) for a in letters]
+
+    def moved(x: Sequence[Any]) -> Place:
+        at, parts, numbers = dict(place.at), {}, iter(x)
+        for letter, size, row in zip(letters, sizes, start, strict=True):
+            values: Numbers = [next(numbers) for _ in row]
+            at[letter] = values[:size]
+            if further:
+                parts[letter] = values[size:]
+        return replace(place, at=at, parts=parts)
+
+    return lambda: [arb(c).mid() for row in start for c in row], moved
+
+
+def _wide(x: Sequence[Any]) -> list[Any]:
+    """Return coordinates as balls, those near a quarter of an integer as this number."""
+    width, found = flint().arb(2) ** -WIDTH, []
+    for c in x:
+        near = Fraction(round(float(c) * 4), 4)
+        found.append(near if abs(c - arb(near)) < width else Ball(flint().arb(c, width)))
+    return found
+
+
+def gaps(env: Env, constraints: Sequence[Term]) -> list[Any]:
+    """Return the differences of both sides of equations, with their dual parts and rates; magnitudes are squared."""
+    pairs = [pair for part in constraints for pair in pairwise(part.arguments)]
+    squared = [any(Trait.LENGTH in side.operator.traits for side in pair) for pair in pairs]
+    sides = [[env.value(a**2 if square else a) for a in pair] for pair, square in zip(pairs, squared, strict=True)]
+    found = [a if isinstance(b, int) and not b else add(a, negative(b)) for a, b in sides]
+    return [c for gap in found for c in coefficients(gap)]
+
+
+def _solved(left: Any, x: list[Any], damping: int = DAMPING) -> list[Any] | None:
+    """Return a zero of the differences near x, by steps of least length.
+
+    The larger term of `damping` keeps a gradient's steps from directions in which the number is nearly constant.
+    """
+    matrix, two = flint().arb_mat, flint().arb(2)
+    transposed = inverse = None
+    for _ in range(STEPS_MAX):
+        now = left([Ball(c) for c in x])
+        if all(abs(g) < two**-REACHED for g in now):
+            return x
+        if inverse is None or any(abs(g) > two**-KEPT for g in now):  # nearer, the slopes serve further steps
+            transposed = matrix(_slopes(left, x, now))
+            damped = matrix([[two**-damping if i == k else 0 for k in range(len(now))] for i in range(len(now))])
+            inverse = (transposed.transpose() * transposed + damped).inv()
+        change = transposed * (inverse * matrix([[g] for g in now]))
+        x = [(c - change[i, 0]).mid() for i, c in enumerate(x)]
+    return None
+
+
+def _slopes(left: Any, x: list[Any], now: list[Any]) -> list[list[Any]]:
+    """Return the derivatives of all differences by each coordinate."""
+    step, rows = flint().arb(2) ** -STEP, []
+    for i in range(len(x)):
+        beside = left([Ball(c + step if i == k else c) for k, c in enumerate(x)])
+        rows.append([((b - a) / step).mid() for a, b in zip(now, beside, strict=True)])
+    return rows

@@ -1,0 +1,311 @@
+"""Table of the operations in papers' files: what each takes, what it gives, and the operator that it stands for.
+
+The kind of a value is "integer", "number", "quaternion", "truth" or, for a matrix, its numbers of rows and columns. A
+vector is (3, 1), a twist (6, 1), a tensor (3, 3), a pose (4, 4).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from . import calculus, matrices, operator_table, relations
+from .printed import Number, Symbol, Term
+
+Kind = str | tuple[int, int]
+VECTOR, TWIST, TENSOR, POSE = (3, 1), (6, 1), (3, 3), (4, 4)
+NUMBERS = ("integer", "number")
+NAMES: dict[Kind, str] = {VECTOR: "vector", TENSOR: "tensor (3x3)", TWIST: "column of 6", POSE: "4x4 matrix",
+                          "truth": "relation"}
+
+
+class KindError(ValueError):
+    """Error for arguments of the wrong kind: what was expected and what was given, and the place of the argument."""
+
+    def __init__(self, message: str, place: int | None = None) -> None:
+        super().__init__(message)
+        self.place = place
+
+
+def name(kind: Kind) -> str:
+    """Return a kind in words, with an article."""
+    return _a(NAMES.get(kind, kind if isinstance(kind, str) else f"{kind[0]}x{kind[1]} matrix"))
+
+
+def _a(words: str) -> str:
+    return f"{'an' if words[0] in 'aeiou8' else 'a'} {words}"
+
+
+def is_number(kind: Kind) -> bool:
+    """Return whether a kind is a number."""
+    return kind in NUMBERS
+
+
+TESTS: dict[str, Callable[[Kind], bool]] = {
+    "integer": lambda kind: kind == "integer",
+    "number": is_number,
+    "vector": lambda kind: kind == VECTOR,
+    "quaternion": lambda kind: kind in ("quaternion", VECTOR) or is_number(kind),
+    "tensor": lambda kind: kind == TENSOR,
+    "pose": lambda kind: kind == POSE,
+    "twist": lambda kind: kind == TWIST,
+    "column": lambda kind: is_number(kind) or (isinstance(kind, tuple) and kind[1] == 1),
+    "matrix": lambda kind: isinstance(kind, tuple),
+    "square matrix": lambda kind: isinstance(kind, tuple) and kind[0] == kind[1],
+    "relation": lambda kind: kind == "truth",
+    "value": lambda kind: kind != "truth",
+}
+"""Words for what an operation takes."""
+
+Gives = Kind | Callable[..., Kind]
+
+
+@dataclass(frozen=True)
+class Operation:
+    """Row of the table: `takes` has words of `TESTS`, with "or" between several, for each argument."""
+
+    takes: tuple[str, ...]
+    gives: Gives
+    term: Callable[..., Term]
+    says: str
+    example: str
+    many: bool = False  # whether the last argument may be repeated
+    binds: bool = False  # whether the second argument (of a sum the first) is a letter that the first one varies
+
+    def kind(self, call: str, kinds: Sequence[Kind]) -> Kind:
+        """Return the kind of the value for arguments of these kinds; raise KindError."""
+        least = len(self.takes)
+        if len(kinds) < least or (len(kinds) > least and not self.many):
+            raise KindError(f"{call} takes {least}{' or more' if self.many else ''} arguments, got {len(kinds)}")
+        for i, kind in enumerate(kinds):
+            wanted = self.takes[min(i, least - 1)]
+            if not any(TESTS[word](kind) for word in wanted.split(" or ")):
+                raise KindError(f"{call} takes {_a(wanted)}, got {name(kind)}", i)
+        return self.gives(*kinds) if callable(self.gives) else self.gives
+
+
+def same(kind: Kind, *rest: Kind) -> Kind:
+    """Return the kind of the first argument."""
+    return kind
+
+
+def _transposed(kind: Any) -> Kind:
+    return kind[1], kind[0]
+
+
+def _stacked(*kinds: Any) -> Any:
+    sizes = [(1, 1) if is_number(kind) else kind for kind in kinds]
+    if len({columns for _, columns in sizes}) > 1:
+        raise KindError(f"stack takes parts with equal numbers of columns, got {', '.join(map(name, kinds))}")
+    return sum(rows for rows, _ in sizes), sizes[0][1]
+
+
+def _kron(a: Any, b: Any) -> Kind:
+    return a[0] * b[0], a[1] * b[1]
+
+
+def _exponential(kind: Any) -> Any:
+    """Return the kind of an exponential: that of a vector is a quaternion, that of a twist a pose."""
+    return {VECTOR: "quaternion", TWIST: POSE, "integer": "number"}.get(kind, kind)
+
+
+def _number_like(kind: Any) -> Any:
+    return "number" if is_number(kind) else kind
+
+
+def _not_vector(call: str) -> Callable[[Any], Any]:
+    """Return the kind of a value like the argument's; a vector, which is a quaternion elsewhere, is refused."""
+
+    def kind_of(kind: Any) -> Any:
+        if kind == VECTOR:
+            raise KindError(f"{call} takes no vector", 0)
+        return _number_like(kind)
+
+    return kind_of
+
+
+def _skew(kind: Kind) -> Kind:
+    return TENSOR if kind == VECTOR else POSE
+
+
+def _size(kind: Any) -> int:
+    return 1 if is_number(kind) else 4 if kind == "quaternion" else kind[0]
+
+
+def _jacobian(f: Any, letter: Any, *rest: Kind) -> Kind:
+    if is_number(letter):
+        return (4, 1) if f == "quaternion" else _number_like(f)
+    if isinstance(f, tuple) and f[1] != 1:
+        raise KindError(f"jacobian by {name(letter)} takes a number, column or quaternion, got {name(f)}")
+    return _size(f), _size(letter)
+
+
+def _group_jacobian(f: Kind, letter: Kind, *rest: Kind) -> Kind:
+    rows, columns = (3 if f == TENSOR else 6), _size(letter)
+    return (rows, columns)
+
+
+def _by_kind(choose: Callable[[Kind], Callable[..., Term]]) -> Callable[..., Any]:
+    """Mark a constructor of terms that needs the kind of the first argument."""
+    choose.by_kind = True  # type: ignore[attr-defined]
+    return choose
+
+
+def _function(row: Callable[..., Term], says: str, example: str) -> Operation:
+    return Operation(("number",), "number", row, says, example)
+
+
+t = operator_table
+OPERATIONS: dict[str, Operation] = {
+    "norm": Operation(("number or column or quaternion",), "number", t.norm,
+                      "magnitude of a number, column or quaternion", "norm(v)"),
+    "dot": Operation(("column", "column"), "number", t.dot, "scalar product of two columns", "dot(v, w)"),
+    "cross": Operation(("vector", "vector"), VECTOR, t.cross, "vector product", "cross(v, w)"),
+    "dyad": Operation(("vector", "vector"), TENSOR, t.dyad, "dyadic product v wᵀ", "dyad(v, w)"),
+    "skew": Operation(("vector or twist",), _skew, _by_kind(lambda k: t.skew if k == VECTOR else matrices.hat),
+                      "matrix with skew(v) w = v × w; of a twist its 4x4 matrix", "skew(v)"),
+    "vect": Operation(("tensor or pose",), lambda k: VECTOR if k == TENSOR else TWIST,
+                      _by_kind(lambda k: t.vect if k == TENSOR else matrices.vee),
+                      "axial vector of (A − Aᵀ)/2; of a 4x4 twist matrix its twist", "vect(R)"),
+    "transpose": Operation(("matrix",), _transposed, matrices.transpose, "transpose", "transpose(R)"),
+    "inverse": Operation(("number or quaternion or square matrix",), _not_vector("inverse"), matrices.inverse,
+                         "inverse of a number, quaternion or square matrix", "inverse(A)"),
+    "det": Operation(("square matrix",), "number", _by_kind(lambda k: t.det if k == TENSOR else matrices.det),
+                     "determinant", "det(A)"),
+    "trace": Operation(("square matrix",), "number", _by_kind(lambda k: t.trace if k == TENSOR else matrices.trace),
+                       "trace", "trace(R)"),
+    "conjugate": Operation(("quaternion",), "quaternion", t.conjugate, "conjugate of a quaternion", "conjugate(q)"),
+    "re": Operation(("value",), same, t.Re, "real part", "re(a)"),
+    "du": Operation(("value",), same, t.Du, "dual part", "du(a)"),
+    "exp": Operation(("number or quaternion or twist or square matrix",), _exponential, matrices.exp,
+                     "exponential of a number, skew tensor, twist or its 4x4 matrix (a pose), or vector as a pure "
+                     "quaternion (a quaternion)", "exp(skew(v))"),
+    "log": Operation(("number or quaternion or tensor or pose",), _number_like, matrices.log,
+                     "principal logarithm of a number, quaternion, rotation (a skew tensor) or pose (a 4x4 twist "
+                     "matrix); none at a half turn", "log(R)"),
+    "sqrt": Operation(("number or quaternion",), _not_vector("sqrt"), t.root, "square root that is not negative",
+                      "sqrt(x)"),
+    "sin": _function(t.sin, "sine", "sin(a)"),
+    "cos": _function(t.cos, "cosine", "cos(a)"),
+    "tan": _function(t.tan, "tangent", "tan(a)"),
+    "cot": _function(t.cot, "cotangent", "cot(a)"),
+    "asin": _function(relations.asin, "arc sine in [−π/2, π/2]", "asin(x)"),
+    "acos": _function(relations.acos, "arc cosine in [0, π]", "acos(x)"),
+    "atan": _function(t.arctan, "arc tangent in (−π/2, π/2)", "atan(x)"),
+    "atan2": Operation(("number", "number"), "number", relations.atan2, "angle of the point (x, y) in (−π, π]",
+                       "atan2(y, x)"),
+    "sinh": _function(relations.sinh, "hyperbolic sine", "sinh(x)"),
+    "cosh": _function(relations.cosh, "hyperbolic cosine", "cosh(x)"),
+    "tanh": _function(relations.tanh, "hyperbolic tangent", "tanh(x)"),
+    "sinc": _function(relations.sinc, "sin x/x, and 1 at 0", "sinc(x)"),
+    "vector": Operation(("number", "number", "number"), VECTOR, matrices.vector, "vector of three components",
+                        "vector(a, b, c)"),
+    "stack": Operation(("number or matrix", "number or matrix"), _stacked, matrices.stacked,
+                       "parts one below the other", "stack(w, v)", many=True),
+    "kron": Operation(("matrix", "matrix"), _kron, matrices.kron, "Kronecker product", "kron(A, B)"),
+    "vec": Operation(("matrix",), lambda k: (k[0] * k[1], 1), matrices.vec, "columns one below the other", "vec(A)"),
+    "adjoint": Operation(("pose",), (6, 6), matrices.adjoint_of, "6x6 matrix that moves twists", "adjoint(T)"),
+    "ad": Operation(("twist",), (6, 6), matrices.ad, "6x6 matrix of the bracket of twists", "ad(xi)"),
+    "rotation_of": Operation(("quaternion",), TENSOR, matrices.rotation_of, "rotation r ↦ q r q⁻¹", "rotation_of(q)"),
+    "pose_of": Operation(("tensor", "vector"), POSE, matrices.pose_of, "4x4 matrix of rotation and translation",
+                         "pose_of(R, p)"),
+    "rate": Operation(("value",), same, t.rate, "time derivative; of a constant letter 0", "rate(v)"),
+    "jacobian": Operation(("value", "column"), _jacobian, calculus.jacobian,
+                          "derivative by the components of a letter", "jacobian(norm(v), v)", binds=True),
+    "left_jacobian": Operation(("tensor or pose", "column"), _group_jacobian, calculus.left_jacobian,
+                               "J with ω = J v̇ in the space frame, of a rotation (3 rows) or pose (6 rows)",
+                               "left_jacobian(exp(skew(v)), v)", binds=True),
+    "right_jacobian": Operation(("tensor or pose", "column"), _group_jacobian, calculus.right_jacobian,
+                                "the same in the body frame", "right_jacobian(exp(skew(v)), v)", binds=True),
+    "sum": Operation(("integer", "integer", "integer", "value"), lambda k, a, b, term: term, t.summation,
+                     "sum over an integer letter", "sum(k, 0, n, x**k)", binds=True),
+    "limit": Operation(("value", "number", "number"), same, calculus.limit, "limit from both sides",
+                       "limit(sin(x)/x, x, 0)", binds=True),
+    "integral": Operation(("value", "number", "number", "number"), same, calculus.integral, "integral over a letter",
+                          "integral(cos(t), t, 0, a)", binds=True),
+    "series": Operation(("value", "column", "integer"), same, calculus.taylor,
+                        "Taylor polynomial in a letter, removable singularities filled",
+                        "series(exp(x), x, 3)", binds=True),
+    "binomial": Operation(("integer", "integer"), "integer", t.binomial, "binomial coefficient", "binomial(n, k)"),
+    "factorial": Operation(("integer",), "integer", t.factorial, "factorial", "factorial(k)"),
+    "floor": Operation(("number",), "integer", relations.floor, "largest integer below", "floor(n/2)"),
+    "p": Operation(("integer", "number"), "number", relations.p, "polynomial p_n of CP23", "p(n, x)"),
+    "q": Operation(("integer", "number"), "number", relations.q, "polynomial q_n of CP23", "q(n, x)"),
+    "cay": Operation(("integer", "vector"), TENSOR, relations.cay, "rotation of tan(α/2n) u", "cay(n, v)"),
+    "dcay": Operation(("integer", "vector"), TENSOR, relations.dcay, "tangent operator of cay", "dcay(n, v)"),
+    "dexp": Operation(("vector",), TENSOR, relations.dexp, "tangent operator of exp(skew(v))", "dexp(v)"),
+    "implies": Operation(("relation", "relation"), "truth", t.implies, "the second where the first is true",
+                         "implies(x > 0, sqrt(x**2) == x)"),
+}
+"""Operations by name. `matrix`, `block`, `entry`, `identity` and `zeros` take literals; `claims` has their rules."""
+
+CONSTANTS: dict[str, tuple[Symbol, Kind]] = {
+    "I": (t.identity, TENSOR), "pi": (t.pi, "number"), "eps": (t.epsilon, "number"), "infinity": (t.infinity, "number"),
+}
+
+
+def term(call: str, arguments: Sequence[Term], kinds: Sequence[Kind]) -> tuple[Term, Kind]:
+    """Return the term of a call and its kind; raise KindError."""
+    row = OPERATIONS[call]
+    kind = row.kind(call, kinds)
+    build = row.term(kinds[0]) if getattr(row.term, "by_kind", False) else row.term
+    return build(*arguments), kind
+
+
+def sum_kind(a: Kind, b: Kind, sign: str) -> Kind:
+    """Return the kind of a sum; a number plus a vector is a quaternion."""
+    if a == b:
+        return a
+    if is_number(a) and is_number(b):
+        return "number"
+    if TESTS["quaternion"](a) and TESTS["quaternion"](b):
+        return "quaternion"
+    raise KindError(f"{name(a)} {sign} {name(b)} has no meaning")
+
+
+def product_kind(a: Kind, b: Kind) -> Kind:
+    """Return the kind of a product."""
+    if is_number(a) or is_number(b):
+        return (b if is_number(a) else a) if a == b or not (is_number(a) and is_number(b)) else "number"
+    if "quaternion" in (a, b) and TESTS["quaternion"](a) and TESTS["quaternion"](b):
+        return "quaternion"
+    if isinstance(a, tuple) and isinstance(b, tuple) and a[1] == b[0]:
+        return "number" if (a[0], b[1]) == (1, 1) else (a[0], b[1])
+    hint = ": write dot, cross, dyad or quaternions" if a == b == VECTOR else ""
+    raise KindError(f"{name(a)} * {name(b)} has no meaning{hint}")
+
+
+def quotient_kind(a: Kind, b: Kind) -> Kind:
+    """Return the kind of a quotient."""
+    if is_number(b):
+        return "number" if is_number(a) else a
+    if b == "quaternion" and TESTS["quaternion"](a):
+        return "quaternion"
+    raise KindError(f"{name(a)} / {name(b)} has no meaning: write inverse")
+
+
+def power_kind(a: Kind, b: Kind) -> Kind:
+    """Return the kind of a power."""
+    if is_number(a) and is_number(b):
+        return "number"
+    if b == "integer" and (a == "quaternion" or TESTS["square matrix"](a)):
+        return a
+    if a == "quaternion" and is_number(b):
+        return a
+    raise KindError(f"{name(a)} ** {name(b)} has no meaning")
+
+
+def require_comparable(a: Kind, b: Kind, zero: bool, ordered: bool) -> None:
+    """Raise KindError unless two sides of a relation can be compared; 0 is the zero of every kind."""
+    if "truth" in (a, b):
+        raise KindError("a side of a relation is a value, got a relation")
+    numbers = is_number(a) and is_number(b)
+    if ordered and not numbers:
+        raise KindError(f"an inequality takes numbers, got {name(a)} and {name(b)}")
+    quaternions = "quaternion" in (a, b) and TESTS["quaternion"](a) and TESTS["quaternion"](b)
+    if not (a == b or numbers or quaternions or zero):
+        raise KindError(f"{name(a)} is compared with {name(b)}")
+
+
+ZERO = Number(0)

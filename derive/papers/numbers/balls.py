@@ -1,0 +1,241 @@
+"""Balls of Arb: numbers with a rigorous bound on their error, in which claims are evaluated.
+
+Two balls that do not overlap are certainly unequal, so a refutation is a proof. Balls that overlap count as equal; an
+overlap that is too wide to tell raises `BlurredError`, and the caller repeats the evaluation with more digits.
+"""
+
+from __future__ import annotations
+
+import importlib
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from fractions import Fraction
+from functools import cache
+from numbers import Number
+from typing import Any
+
+from ...algebra import Dual
+from .fields import Field, UndefinedError, innermost
+
+PRECISIONS = (256, 2048)
+"""Bits of the first evaluation, and of its repetition if balls are too wide."""
+BLURRED = -64
+"""Exponent of 2 of the largest error with which two numbers count as equal."""
+
+
+class MissingLibraryError(ImportError):
+    """Error for a library that is not installed, with the command that installs it."""
+
+
+class BlurredError(Exception):
+    """Error for balls too wide to tell whether two numbers are equal."""
+
+
+@cache
+def flint() -> Any:
+    """Return python-flint; raise MissingLibraryError without it."""
+    try:
+        return importlib.import_module("flint")
+    except ImportError:
+        needed = 'decisions of claims need python-flint: install with  pip install "dualcay[derive]"'
+        raise MissingLibraryError(needed) from None
+
+
+@contextmanager
+def precision(bits: int) -> Iterator[None]:
+    """Compute with balls of this many bits."""
+    context, before = flint().ctx, flint().ctx.prec
+    context.prec = bits
+    try:
+        yield
+    finally:
+        context.prec = before
+
+
+def _binary(name: str, turned: bool = False) -> Callable[[Ball, Any], Any]:
+    def operation(self: Ball, other: Any) -> Any:
+        b = arb(other)
+        if b is None:
+            return NotImplemented
+        return Ball(getattr(b, name)(self.arb) if turned else getattr(self.arb, name)(b))
+
+    return operation
+
+
+class Ball:
+    """Real number with a bound on its error; it behaves like a number."""
+
+    __slots__ = ("arb",)
+    __hash__ = None  # type: ignore[assignment]  # overlapping balls are equal
+
+    def __init__(self, value: Any) -> None:
+        self.arb = value
+
+    __add__ = __radd__ = _binary("__add__")
+    __mul__ = __rmul__ = _binary("__mul__")
+    __sub__, __rsub__ = _binary("__sub__"), _binary("__sub__", True)
+
+    def __truediv__(self, other: Any) -> Any:
+        b = arb(other)
+        return NotImplemented if b is None else Ball(self.arb / _nonzero(b))
+
+    def __rtruediv__(self, other: Any) -> Any:
+        a = arb(other)
+        return NotImplemented if a is None else Ball(a / _nonzero(self.arb))
+
+    def __pow__(self, exponent: int) -> Ball:
+        return Ball(self.arb**exponent) if exponent >= 0 else Ball(_nonzero(self.arb) ** exponent)
+
+    def __neg__(self) -> Ball:
+        return Ball(-self.arb)
+
+    def __abs__(self) -> Ball:
+        return Ball(abs(self.arb))
+
+    def __eq__(self, other: object) -> bool:
+        b = arb(other)
+        return NotImplemented if b is None else bool(self.arb.overlaps(b))
+
+    def __lt__(self, other: Any) -> bool:
+        return bool(self.arb < arb(other))
+
+    def __gt__(self, other: Any) -> bool:
+        return bool(self.arb > arb(other))
+
+    def __le__(self, other: Any) -> bool:
+        return not self > other
+
+    def __ge__(self, other: Any) -> bool:
+        return not self < other
+
+    def __bool__(self) -> bool:
+        return not self.arb.contains(0)
+
+    def __float__(self) -> float:
+        return float(self.arb.mid())
+
+    def __repr__(self) -> str:
+        shown = str(self.arb.str(30, radius=False))
+        return shown.rstrip("0").rstrip(".") if "." in shown and "e" not in shown else shown
+
+
+Number.register(Ball)
+
+
+def arb(value: Any) -> Any:
+    """Return a number as Arb's ball, or None for a value of another type."""
+    if isinstance(value, Ball):
+        return value.arb
+    if isinstance(value, int):
+        return flint().arb(int(value))
+    if isinstance(value, Fraction):
+        return flint().arb(flint().fmpq(value.numerator, value.denominator))
+    return None
+
+
+def widened(a: Any, error: Any) -> Ball:
+    """Return a number as a ball that includes an error of this size."""
+    middle, size = arb(a), abs(arb(error)).upper()
+    return Ball((middle - size).union(middle + size))
+
+
+def is_sharp(a: Any) -> bool:
+    """Return whether the error of a number is far below the largest with which two numbers count as equal."""
+    return bool(arb(a).rad() < (abs(arb(a)).mid() + 1) * flint().arb(2) ** (2 * BLURRED))
+
+
+def _nonzero(a: Any) -> Any:
+    if a.contains(0):
+        raise ZeroDivisionError("division by zero")
+    return a
+
+
+class Balls(Field):
+    """Real numbers as balls."""
+
+    ordered = True
+
+    def __init__(self, lenient: bool = False) -> None:
+        self.lenient = lenient  # whether a dual vector with real part 0 has a magnitude
+
+    def same(self, a: Any, b: Any) -> bool:
+        gap, size = arb(a) - arb(b), abs(arb(a)).mid() + 1
+        if not gap.is_finite():
+            raise BlurredError
+        return self._contains_zero(gap, size)
+
+    def vanishes(self, a: Any) -> bool:
+        return self._contains_zero(arb(a), 1)
+
+    @staticmethod
+    def _contains_zero(gap: Any, size: Any) -> bool:
+        if not gap.contains(0):
+            return False
+        if not gap.rad() < size * flint().arb(2) ** BLURRED:
+            raise BlurredError
+        return True
+
+    @staticmethod
+    def convolved(a: Sequence[Any], b: Sequence[Any]) -> list[Any]:
+        """Return the first coefficients of the product of two polynomials, as many as each has."""
+        product = (flint().arb_poly(list(map(arb, a))) * flint().arb_poly(list(map(arb, b)))).coeffs()
+        return [Ball(c) for c in (*product, *[flint().arb(0)] * len(a))[: len(a)]]
+
+    @staticmethod
+    def divided(a: Sequence[Any], b: Sequence[Any]) -> list[Any]:
+        """Return the first coefficients of the quotient of two power series, as many as each has."""
+        context, before = flint().ctx, flint().ctx.cap
+        context.cap = len(b)
+        try:
+            inverse = flint().arb_series(list(map(arb, b)), len(b)).inv()
+        finally:
+            context.cap = before
+        return Balls.convolved(a, [Ball(inverse[k]) for k in range(len(b))])
+
+    def magnitude(self, v: Any) -> Any:
+        square = v.dot(v)
+        if self.lenient:
+            return super().magnitude(v)
+        if isinstance(square, Dual) and self.vanishes(innermost(square)):
+            raise UndefinedError("the magnitude of a vector whose real part is 0 has no dual part and no rate")
+        return self.sqrt(square)
+
+    def real(self, name: str, *values: Any) -> Callable[..., Any]:
+        if hasattr(self, f"_{name}"):
+            return super().real(name, *values)
+        return lambda a: Ball(getattr(arb(a), name)())  # functions without a singularity, such as the sine
+
+    def _log(self, a: Any) -> Ball:
+        if not arb(a) > 0:
+            raise UndefinedError("logarithm of a number that is not positive")
+        return Ball(arb(a).log())
+
+    def _sqrt(self, a: Any) -> Ball:
+        if arb(a) < 0:
+            raise UndefinedError("square root of a negative number")
+        return Ball(arb(a).nonnegative_part().sqrt())
+
+    def _asin(self, a: Any) -> Ball:
+        if abs(arb(a)) > 1:
+            raise UndefinedError("inverse sine of a number beyond 1")
+        low, high = (arb(end).max(-1).min(1).asin() for end in (Ball(arb(a).lower()), Ball(arb(a).upper())))
+        return Ball(low.union(high))
+
+    def _acos(self, a: Any) -> Ball:
+        angle: Ball = self.pi / 2 - self._asin(a)
+        return angle
+
+    def _atan2(self, y: Any, x: Any) -> Ball:
+        y, x = arb(y), arb(x)
+        if y.contains(0) and x.contains(0):
+            raise UndefinedError("the angle of 0")
+        return Ball(flint().arb.atan2(y * 0 if y.contains(0) else y, x))
+
+    def floor(self, a: Any) -> int:
+        """Return the greatest integer that is not greater; a ball around an integer counts as this integer."""
+        number = arb(a)
+        return int(number.unique_fmpz() if number.contains_integer() else number.floor().unique_fmpz())
+
+    @property
+    def pi(self) -> Ball:
+        return Ball(flint().arb.pi())

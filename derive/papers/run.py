@@ -1,0 +1,186 @@
+"""Decision of a file's equations in worker processes, each within a time limit.
+
+A worker reads requests from its standard input: what makes a sheet, and the place of an equation in it. Exact
+polynomials may take long inside one call of a library, so a worker that exceeds the limit is killed and replaced.
+"""
+
+from __future__ import annotations
+
+import os
+import pickle
+import queue
+import subprocess
+import sys
+import threading
+from collections.abc import Callable, Sequence
+from contextlib import suppress
+from dataclasses import fields
+from typing import Any
+
+from ..workers import cores
+from .equation import Entry
+from .numbers.balls import flint
+from .result import Result, Status, Verdict
+from .sheet import Sheet
+
+SECONDS = 60.0
+"""Time limit of an equation."""
+
+def decide_each(
+    items: Sequence[tuple[Sheet, int]], seconds: float = SECONDS, step: Callable[[str], None] = lambda line: None
+) -> list[Result]:
+    """Return the results of entries by sheet and place, in order; a slow one is undecided."""
+    flint()  # said once, and not by each worker
+    waiting: queue.SimpleQueue[int] = queue.SimpleQueue()
+    for i in range(len(items)):
+        waiting.put(i)
+    results: list[Result | None] = [None] * len(items)
+    done: queue.SimpleQueue[int | BaseException] = queue.SimpleQueue()
+    stop = threading.Event()
+
+    def work(worker: _Worker) -> None:
+        with worker:
+            while not stop.is_set():
+                try:
+                    i = waiting.get_nowait()
+                except queue.Empty:
+                    return
+                try:
+                    results[i] = worker.decide(*items[i], seconds)
+                    done.put(i)
+                except BaseException as error:
+                    done.put(error)
+                    return
+
+    crew = [_Worker() for _ in range(min(cores(), len(items)))]
+    threads = [threading.Thread(target=work, args=(worker,), daemon=True) for worker in crew]
+    for thread in threads:
+        thread.start()
+    try:
+        for _ in items:
+            found = done.get()
+            if isinstance(found, BaseException):
+                raise found
+            sheet, place = items[found]
+            step(f"equation {sheet.entries()[place].number}")
+    finally:
+        stop.set()
+        for worker in crew:
+            worker.kill()
+        for thread in threads:
+            thread.join(JOIN)
+    return [result for result in results if result is not None]
+
+
+JOIN = 5.0
+"""Seconds in which threads notice that their processes are dead."""
+
+
+class _Worker:
+    """Process that decides one entry at a time; after its death a new one begins."""
+
+    def __init__(self) -> None:
+        self.process: subprocess.Popen[bytes] | None = None
+
+    def __enter__(self) -> _Worker:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        """Kill the process and close its pipes; only the thread that began it does this."""
+        self.kill()
+        if self.process is not None:
+            self.process.communicate()
+            self.process = None
+
+    def kill(self) -> None:
+        """Kill the process; any thread may."""
+        if self.process is not None:
+            self.process.kill()
+
+    def decide(self, sheet: Sheet, place: int, seconds: float) -> Result:
+        """Return the result of an entry; one found before the worker died or was late is kept, else it is undecided."""
+        own: dict[str, Any] = {}
+        if self.process is None:
+            paths = os.pathsep.join(path or os.getcwd() for path in sys.path)
+            self.process = subprocess.Popen(
+                [sys.executable, "-P", "-c", f"from {__name__} import serve; serve()"],
+                stdin=subprocess.PIPE, stdout=subprocess.PIPE, env={**os.environ, "PYTHONPATH": paths},
+            )  # fmt: skip
+            assert self.process.stdout is not None
+            with suppress(EOFError):
+                pickle.load(self.process.stdout)  # it is ready; loading does not count as time of an equation
+        process, slug, entry = self.process, sheet.slug, sheet.entries()[place]
+        assert process.stdin is not None
+        assert process.stdout is not None
+        late = threading.Event()
+
+        def end() -> None:
+            late.set()
+            process.kill()
+
+        timer = threading.Timer(seconds, end)
+        try:
+            pickle.dump((sheet.request, place), process.stdin)
+            process.stdin.flush()
+            timer.start()
+            final = False
+            while not final:
+                final, own = pickle.load(process.stdout)
+        except (EOFError, OSError, pickle.UnpicklingError):
+            self.__exit__()
+            reason = f"not decided within {seconds:g} s" if late.is_set() else "the process that decided it died"
+            if not own:
+                return undecided(slug, entry, reason)
+        finally:
+            timer.cancel()
+        return Result(slug, entry, **own)
+
+
+def undecided(slug: str, entry: Entry, reason: str) -> Result:
+    """Return the result of an entry without a decision, with the reason."""
+    verdict = Verdict(entry.readings[0].statement, "", False, reason)
+    return Result(slug, entry, Status.UNDECIDED, reason, (verdict,))
+
+
+def serve() -> None:
+    """Decide what the standard input asks for, until it ends."""
+    try:
+        _serve()
+    except (KeyboardInterrupt, BrokenPipeError):
+        os._exit(0)
+
+
+def _receive(requests: queue.SimpleQueue[Any]) -> None:
+    """Put requests into a queue; end the process with the main process, which closes the standard input."""
+    try:
+        while True:
+            requests.put(pickle.load(sys.stdin.buffer))
+    except EOFError:
+        os._exit(0)
+
+
+def _serve() -> None:
+    from .judge import judge_claim
+
+    requests: queue.SimpleQueue[Any] = queue.SimpleQueue()
+    answers, sys.stdout = sys.stdout.buffer, sys.stderr
+    sheets: dict[str, Sheet] = {}
+    pickle.dump("ready", answers)
+    answers.flush()
+    threading.Thread(target=_receive, args=(requests,), daemon=True).start()
+    while True:
+        request, place = requests.get()
+        sheet = sheets.setdefault(repr(request), Sheet.made(request))
+        slug, entry = sheet.slug, sheet.entries()[place]
+
+        def answer(result: Result, final: bool = False) -> None:
+            own = {field.name: getattr(result, field.name) for field in fields(result)[2:]}  # without slug and entry
+            pickle.dump((final, own), answers)
+            answers.flush()
+
+        try:
+            result = judge_claim(slug, entry, answer)
+        except Exception as error:
+            result = undecided(slug, entry, f"it cannot be evaluated: {type(error).__name__}: {error}")
+        answer(result, True)
+

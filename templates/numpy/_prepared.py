@@ -1,0 +1,88 @@
+"""Programs prepared for batches of one size: their memory and views are made once.
+
+For small batches most of the time of a recorded program goes into views of rows. Prepared programs keep the views.
+"""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Sequence
+from functools import partial
+from math import prod
+from typing import Any, TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ._program import COMPARISONS, Function, Program, bits, call, truth_bytes
+
+Array: TypeAlias = NDArray[Any]
+Shape: TypeAlias = tuple[int, ...]
+
+PREPARED_MAX = 1024
+"""Largest batch for a prepared program; in larger batches, copies of rows cost more than views."""
+
+KEPT_MAX = 32
+"""Largest number of prepared programs kept between calls."""
+
+
+class Prepared:
+    """Recorded program with memory for a number of poses, the ``cells``.
+
+    ``parts`` are the shapes of the arguments, ``table`` is the number of table constants, ``shape`` that of the result.
+    """
+
+    def __init__(self, program: Program, parts: Sequence[Shape], table: int, shape: Shape, cells: int) -> None:
+        sizes = [*map(prod, (*parts, shape)), program.scratch, program.masks]
+        memory = np.split(np.empty((sum(sizes), cells), program.dtype), np.cumsum(sizes)[:-1])
+        *given, result, scratch, masks = memory
+        self.arguments = [block.reshape(*part, cells) for block, part in zip(given, parts, strict=True)]
+        self.table = [np.empty((), program.dtype) for _ in range(table)]
+        self.result = result.reshape(*shape, cells)
+        rows = [row for block in given for row in block]
+        rows += [*self.table, *program.constants, *result, *scratch, *program.mask_rows(masks)]
+        raw = np.zeros(cells, bits(program.dtype) or np.int64)
+        calls = [one for function, operands in program.calls(rows) for one in _calls(function, operands, raw)]
+        constant = {id(number) for number in program.constants}
+        copies = [one for one in calls if one.func is np.positive and id(one.args[0]) in constant]
+        deque(map(call, copies), maxlen=0)  # constant results stay in their rows
+        self.calls = [one for one in calls if one not in copies]
+
+    def run(self, arguments: Sequence[Array], table: Sequence[Array], result: Array) -> None:
+        """Run on arguments of shapes ``part + batch``; the result has the shape ``shape + batch``."""
+        for staged, array in zip(self.arguments, arguments, strict=True):
+            np.copyto(staged.reshape(array.shape), array)
+        for number, value in zip(self.table, table, strict=True):
+            number[...] = value
+        deque(map(call, self.calls), maxlen=0)
+        np.copyto(result, self.result.reshape(result.shape), casting="same_kind")
+
+
+def _calls(function: Function, operands: tuple[Array, ...], raw: Array) -> list[partial[Any]]:
+    """Return prepared calls of a function; comparisons write booleans into ``raw`` first, without a temporary."""
+    if function not in COMPARISONS:
+        return [partial(function, *operands)]
+    *given, mask = operands
+    return [partial(COMPARISONS[function], *given, truth_bytes(raw)), partial(np.negative, raw, mask)]
+
+
+_kept: dict[tuple[Program, int], Prepared] = {}
+
+
+def run_prepared(
+    program: Program,
+    parts: Sequence[Shape],
+    shape: Shape,
+    arguments: Sequence[Array],
+    table: Sequence[Array],
+    result: Array,
+) -> None:
+    """Run a program on a batch of at most ``PREPARED_MAX`` poses; concurrent and nested calls get their own memory."""
+    key = program, prod(result.shape[len(shape) :])
+    prepared = _kept.pop(key, None)
+    if prepared is None:
+        prepared = Prepared(program, parts, len(table), shape, key[1])
+    prepared.run(arguments, table, result)
+    _kept[key] = prepared
+    if len(_kept) > KEPT_MAX:
+        _kept.pop(next(iter(_kept)), None)

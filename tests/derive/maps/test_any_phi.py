@@ -1,0 +1,201 @@
+"""Laws over 200 φ: edges, range and singular angles agree with a search; kernels invert φ; refusals give reasons."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+from typing import Any
+
+import mpmath
+import numpy as np
+import pytest
+import sympy
+
+import derive
+from derive.algebra.arithmetic import PLAIN
+from derive.maps import PhiError, parameterization
+from derive.maps.any_phi import edges, first_guess, intervals, rounding
+from derive.maps.any_phi.expressions import parsed
+from derive.maps.any_phi.first_guess import Halved
+from derive.maps.families import alpha
+from tests.derive.codegen.test_hyperbolic_phi import FORTY
+from tests.support import packages, phis
+
+ALL = [*FORTY, *phis.drawn(160)]
+QUICK = 10
+"""Every tenth φ is tested in normal runs."""
+CLOSE = mpmath.mpf(10) ** -25
+KNOWN = {
+    "0.999*alpha + 0.001*tan(alpha/2)": ("pole", "pi"),
+    "alpha + 0.999999*sin(8*alpha)/8": ("cut", "4*pi"),
+    "alpha/cos(alpha/4)**2": ("pole", "2*pi"),
+    "tan(alpha/4)/cos(alpha/4)": ("pole", "2*pi"),
+    "alpha/(1 + cos(alpha/3))": ("pole", "3*pi"),
+    "alpha + sin(alpha)": ("fold", "pi"),
+    "alpha + tan(alpha/8)": ("pole", "4*pi"),
+}
+"""Kind and edge of φ with narrow or even poles and nearly flat places, which samples miss."""
+
+
+def test_two_hundred_phi_are_listed() -> None:
+    assert len(set(ALL)) == 200
+
+
+@pytest.mark.parametrize(
+    "text", [pytest.param(text, marks=[] if k % QUICK == 0 else pytest.mark.thorough) for k, text in enumerate(ALL)]
+)
+def test_edge_range_and_singular_angles_agree_with_a_search(text: str) -> None:
+    found, kind = phis.edge(text)
+    if kind == "end":
+        with pytest.raises(PhiError, match="is no real number beyond"):
+            parameterization(text, "mine")
+        return
+    chart = parameterization(text, "mine")
+    with mpmath.workdps(50):
+        edge = mpmath.inf if chart.edge.is_infinite else mpmath.mpf(chart.edge.evalf(50))
+        if kind == "cut":
+            assert edge >= found - CLOSE
+            return
+        assert abs(edge - found) < CLOSE
+        size = chart.range
+        assert size.is_infinite if kind == "pole" else abs(size.evalf(40) - phis.value(text, found)) < CLOSE
+        turns = [k for k in range(1, 3) if 2 * k * mpmath.pi < found - CLOSE]
+        whole = [2 * sympy.pi * k for k in turns]
+        assert chart.singular_angles == (*whole, chart.edge)
+
+
+@pytest.mark.parametrize("text", list(KNOWN))
+@pytest.mark.parametrize("backend", ["flint", "mpmath"])
+def test_edges_that_samples_miss(text: str, backend: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    if backend == "flint":
+        pytest.importorskip("flint")
+    chosen = intervals.backend(backend)
+    monkeypatch.setattr(intervals, "backend", lambda: chosen)
+    found = edges.edge_of.__wrapped__(parsed(text))
+    assert (found.kind, str(found.angle)) == KNOWN[text]
+
+
+def test_a_fold_just_before_a_flat_place_is_found() -> None:
+    edge = edges.edge_of(parsed("alpha + 1.000001*sin(8*alpha)/8"))
+    assert edge.kind == "fold"
+    assert float(edge.angle) == pytest.approx(math.acos(-1 / 1.000001) / 8, rel=1e-12)
+
+
+# --- controls -----------------------------------------------------------------------------------------------------
+
+
+def test_coarse_intervals_decide_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Expect a refusal, never a wrong edge, if intervals may not shrink."""
+    step = mpmath.mpf(1) / 100
+    monkeypatch.setattr(edges.cells, "__defaults__", (step,))
+    for text in ("alpha + 0.999999*sin(8*alpha)/8", "0.999*alpha + 0.001*tan(alpha/2)"):
+        with pytest.raises(PhiError, match="intervals do not decide"):
+            edges.edge_of.__wrapped__(parsed(text))
+
+
+def test_too_few_halvings_are_not_proved(monkeypatch: pytest.MonkeyPatch) -> None:
+    chart = parameterization("alpha + 0.999999*sin(8*alpha)/8", "mine")
+    assert isinstance(chart.far, Halved)
+    monkeypatch.setattr(first_guess, "HALVINGS_MAX", chart.far.count - 3)
+    with pytest.raises(PhiError, match="not inverted to full precision"):
+        first_guess.guess(chart.phi, chart._edge, chart.near.limit)
+
+
+REFUSED = [
+    (sympy.Symbol("alpha", real=True), "the symbol alpha with other assumptions"),
+    (sympy.Symbol("beta") * alpha, "the symbol beta"),
+    (sympy.erf(alpha), "holds erf; known functions are sin"),
+    (3, "a text or a SymPy expression in derive.alpha, given 3"),
+    (None, "a text or a SymPy expression in derive.alpha, given None"),
+    ("n*alpha", "by -n or as order="),
+    ("asin(alpha/5)", "is no real number beyond alpha = 5.0, where it neither turns nor goes to infinity"),
+    ("alpha + (1 - 1e-20*1e-10*1e-10*1e-10*1e-10*1e-10*1e-10*1e-10)*sin(alpha)", "intervals do not decide"),
+]
+
+
+@pytest.mark.parametrize(("phi", "reason"), REFUSED, ids=str)
+def test_refusals_give_their_reason(phi: Any, reason: str) -> None:
+    with pytest.raises(PhiError) as raised:
+        derive.Parameterization(phi)
+    assert reason in str(raised.value)
+
+
+def test_an_order_is_an_integer() -> None:
+    with pytest.raises(TypeError, match=r"an integer >= 1, got 1\.5"):
+        derive.Parameterization("tan(alpha/(2*n))", order=1.5)
+
+
+WITHOUT_KERNELS = [
+    ("atanh(alpha/5)", "grows like a logarithm near its edge"),
+    ("alpha + sin(alpha)", "double zero at its edge"),
+    ("alpha + 0.99999999*sin(8*alpha)/8", "1/phi' would lose half of its digits"),
+    ("alpha - 0.98*sin(alpha)", "near alpha"),
+    ("alpha + sin(300*alpha)/400", "nothing proves that the inverse of phi = alpha + sin(300*alpha)/400 is analytic"),
+    ("1.000001*sin(alpha/2 + alpha/1000)", "ends at alpha"),
+]
+
+
+@pytest.mark.parametrize(("phi", "reason"), WITHOUT_KERNELS)
+def test_phi_that_floats_cannot_invert_has_no_kernels(tmp_path: Path, phi: str, reason: str) -> None:
+    with pytest.raises(PhiError, match="its chart is symbolic only") as raised:
+        derive.generate(phi=phi, name="mine", output=tmp_path / "kernels")
+    assert reason in str(raised.value)
+    assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize("text", ["sec", "csc", "cot"])
+def test_reciprocals_are_quotients(text: str) -> None:
+    given = {"sec": "alpha*sec(alpha/5)", "csc": "alpha*csc(alpha/5 + pi/2)", "cot": "1/cot(alpha/5)"}[text]
+    same = {"sec": "alpha/cos(alpha/5)", "csc": "alpha/sin(alpha/5 + pi/2)", "cot": "sin(alpha/5)/cos(alpha/5)"}[text]
+    assert parsed(given) == parsed(same)
+
+
+# --- kernels at their worst points --------------------------------------------------------------------------------
+
+@pytest.mark.parametrize("text", ["alpha + 0.999999*sin(8*alpha)/8", "0.999*alpha + 0.001*tan(alpha/2)"])
+def test_floats_find_the_angle_near_the_least_slope_and_the_pole(text: str) -> None:
+    """Allow 8 eps of the length and of the terms of φ, divided by φ′."""
+    chart = parameterization(text, "mine")
+    for angle in (*map(float, chart.steep), 1.17332, 3.0, 3.14):
+        r = float(phis.value(text, mpmath.mpf(angle)))
+        exact = chart.inverse(r)
+        found = chart.far_angle(r * r, r, PLAIN)
+        allowed = 8 * np.finfo(float).eps * (_noise(chart.phi, exact) + r) / phis.slope(text, exact)
+        assert abs(found - exact) <= allowed + 2 * np.finfo(float).eps * exact, angle
+
+
+KERNELS = [
+    "alpha + 0.999999*sin(8*alpha)/8", "0.999*alpha + 0.001*tan(alpha/2)", "tan(alpha/4)/cos(alpha/4)",
+    "alpha*cbrt(1 + alpha**2/50)", "tan(alpha/6) + 1.65*tan(alpha/6)**3", "alpha/sqrt(cos(alpha/5)) + alpha",
+    "sin(alpha/5) + 0.158*sin(4*alpha)/9", "5*asinh(alpha/3)", "atanh(alpha/13)",
+]  # fmt: skip
+
+
+@pytest.mark.thorough
+@pytest.mark.parametrize("text", KERNELS)
+def test_kernels_are_as_accurate_as_their_condition(tmp_path: Path, text: str) -> None:
+    """Allow 64 eps of the rounding bound of φ in the angle, and of φ′ too in the translation.
+
+    The angle of r has the error ``eps (N + r)/φ′``, with N of `rounding`. The translation holds ``1/φ′``. Its relative
+    error is that of φ′, and the change of φ′ with the angle.
+    """
+    chart = parameterization(text, f"worst{KERNELS.index(text)}")  # modules are imported once by name
+    kernels = packages.imported(chart, tmp_path)
+    end = min(float(chart.edge), 4 * math.pi)
+    angles = [float(a) for a in chart.steep] + [end * share for share in (1e-6, 0.01, 0.1, 0.37, 0.6, 0.9, 0.98)]
+    for angle in angles:
+        with mpmath.workdps(50):
+            r = float(phis.value(text, mpmath.mpf(angle)))
+            exact = chart.inverse(r)
+            slope, bend = (mpmath.mpf(chart.phi.diff(alpha, k).subs(alpha, sympy.Float(exact, 50))) for k in (1, 2))
+            noise = _noise(chart.phi, exact) + r
+            allowed = 64 * np.finfo(float).eps * (noise / abs(slope) + exact)
+            found, drift = kernels.angle(np.array([r, 0, 0, 1, 0, 0]))
+            assert abs(found - exact) <= allowed, (angle, found)
+            relative = _noise(chart.phi.diff(alpha), exact) / slope * np.finfo(float).eps * 64
+            assert abs(drift * slope - 1) <= relative + abs(bend / slope) * allowed, (angle, drift)
+
+
+def _noise(expression: sympy.Expr, angle: Any) -> Any:
+    with intervals.precise() as at:
+        return rounding.noise(at, expression, at.interval(angle, angle))

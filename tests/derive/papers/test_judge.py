@@ -1,0 +1,168 @@
+"""Verdicts on claims whose conditions are found: wide values, zero sets, branches, rates, domains and changes."""
+
+from __future__ import annotations
+
+import pytest
+
+from derive.papers.equation import equation
+from derive.papers.judge import judge_claim
+from derive.papers.language.claims import Scope, statement
+from derive.papers.language.kinds import letter
+from derive.papers.numbers.balls import Ball, Balls, BlurredError, arb, flint, precision
+from derive.papers.result import Result
+
+V, VW, X, A, R = {"v": "vector"}, {"v": "vector", "w": "vector"}, {"x": "real"}, {"a": "angle"}, {"R": "rotation"}
+
+
+def judged(text: str, letters: dict[str, str], domain: str = "", corrected: str = "") -> Result:
+    scope = Scope({name: letter(name, kind) for name, kind in letters.items()})
+    parts = {"claimed": domain, "corrected": corrected}
+    rest = {name: statement(part, scope) for name, part in parts.items() if part}
+    return judge_claim("sheet", equation("1", "a claim", 0, statement(text, scope), **rest))
+
+
+POSITIVE, TENSORS = {"x": "positive", "y": "positive"}, {"A": "tensor", "B": "tensor"}
+MOVING = ("real", "angle", "vector", "unit vector", "rotation", "pose", "twist", "unit quaternion", "dual number",
+          "dual angle", "unit dual vector", "orthogonal dual tensor")  # fmt: skip
+ROTATION = "R*transpose(R) == I and det(R) == 1"
+OF_TENSOR = {"R": "tensor", "v": "vector"}
+
+MEETING = [
+    ("norm(v - w - u)", {"u": "vector", **VW}), ("norm(R*v - w)", {**R, **VW}), ("norm(v - vector(1, 2, 3))", V),
+    ("(x - y)**2 + (y - z)**2", {"y": "real", "z": "real", **X}),
+    ("norm(q - 2*p)", {"q": "quaternion", "p": "unit quaternion"}), ("1 + dot(v, v)*dot(w, w) - 2*dot(v, w)", VW),
+    ("k + n - 50", {"k": "integer", "n": "order"}),
+]
+"""Numbers of one sign that vanish where several letters meet, on no line of one letter through another point."""
+HOLDS = [
+    ("rate(x*x) == 2*x*rate(x)", X), ("rate(rate(x**2)) == 2*rate(x)**2 + 2*x*rate(rate(x))", X),
+    ("rate(c*x) == c*rate(x)", {"c": "constant real", **X}), ("rate(R)*transpose(R) == -R*transpose(rate(R))", R),
+    ("re(rate(a)) == rate(re(a))", {"a": "dual number"}), ("rate(T)*inverse(T) == -T*rate(inverse(T))", {"T": "pose"}),
+    ("sin(a + b) == sin(a)*cos(b) + cos(a)*sin(b)", {"a": "angle", "b": "angle"}),
+    ("vect(rate(exp(skew(v)))*transpose(exp(skew(v)))) == dexp(v)*rate(v)", V),
+    ("sqrt(x*y) == sqrt(x)*sqrt(y)", POSITIVE), ("floor(n/2) + floor((n + 1)/2) == n", {"n": "integer"}),
+    ("norm(v + w) <= norm(v) + norm(w)", VW), ("left_jacobian(exp(xi), xi)*xi == xi", {"xi": "twist"}),
+    ("T*exp(xi)*inverse(T) == exp(adjoint(T)*xi)", {"T": "pose", "xi": "twist"}),
+]  # fmt: skip
+FALSE = [
+    *(("rate(a) == 2*rate(a)", {"a": kind}) for kind in MOVING),
+    ("rate(rate(x)) == 0", X), ("rate(c*x) == c*rate(x)", {"c": "real", **X}), ("tanh(sqrt(x**2)) == 1", X),
+    ("norm(v + w) == norm(v) + norm(w)", VW), ("x**2 >= x", X), ("exp(skew(v))*exp(skew(w)) == exp(skew(v + w))", VW),
+    ("n < 100", {"n": "order"}), ("k < 500", {"k": "integer"}), ("norm(v) < 5000", V), ("not (x == 7/3)", X),
+    *((f"({f})**2 > 0", letters) for f, letters in MEETING[2:4]),
+    ("k**2 - k + 41 != 1681", {"k": "order"}), ("(k - 31)**2 > 0", {"k": "integer"}), ("x != 10**20", X),
+    ("norm(n + R*m) < 2", {"n": "unit vector", "m": "unit vector", **R}),
+    ("log(R*S) == log(R) + log(S)", {"S": "rotation", **R}), ("sqrt(x**2) == norm(x) + 1/1000000", X),
+]  # fmt: skip
+CONDITIONS = [
+    ("sqrt((4 - x)**2) == 4 - x", X, "4 - x >= 0"), ("sqrt(cos(norm(v))**2) == cos(norm(v))", V, "cos(norm(v)) >= 0"),
+    ("sqrt((1 + trace(exp(skew(v))))/4) == cos(norm(v)/2)", V, "cos(norm(v)/2) >= 0"),
+    ("atan(tan(a)) == a", A, "norm(a) < pi/2"), ("(x - 1)**2/(x - 1)**2 == 1", X, "x != 1"),
+    ("inverse(I - dyad(v, v))*(I - dyad(v, v)) == I", V, "norm(v) != 1"),
+    ("log(exp(skew(v))) == skew(v)", V, "norm(v) < pi"), ("exp(log(R)) == R", R, "trace(R) != -1"),
+    ("acos(cos(x)) == x", X, "0 <= x and x <= pi"), ("rate(norm(v)) == dot(v, rate(v))/norm(v)", V, "norm(v) != 0"),
+    ("inverse(dexp(v))*dexp(v) == I", V, "norm(v) != 2*k*pi for k = 1, 2, …"),
+    ("norm(x*v) == x*norm(v)", {**X, **V}, "x*norm(v) >= 0"), ("tan(a)*cos(a) == sin(a)", A, "cos(a) != 0"),
+    ("rate(b)/b*b == rate(b)", {"b": "dual number"}, "b != 0"),
+    ("limit(sin(t*norm(v))/t, t, 0)/norm(v) == 1", V, "norm(v) != 0"),
+    ("limit(sin(t*x)/(t*x), t, 0) == 1", X, "limit(sin(t*x)/(t*x), t, 0) has a value"),
+    ("acos(cos(x)) == -x", X, "x <= 0 and norm(x) <= pi"),
+    *((f"({f})/({f}) == 1", letters, f"{f} != 0") for f, letters in MEETING),
+    ("atan2(sin(a)*cos(b), cos(a)*cos(b)) == a", {"b": "angle", **A}, "cos(b) > 0 and norm(a) < pi"),
+]  # fmt: skip
+DOMAINS = [
+    ("sqrt((4 - x)**2) == 4 - x", X, "x <= 4", "holds"), ("sqrt((4 - x)**2) == 4 - x", X, "x <= 5", "holds-if"),
+    ("norm(q*v*conjugate(q))**2 == norm(v)**2", {"q": "quaternion", **V}, "norm(q) == 1", "holds"),
+    ("cross(v, cross(v, w)) == -w", VW, "dot(v, w) == 0 and dot(v, v) == 1", "holds"),
+    ("dot(v, rate(v)) == 0", V, "norm(v) == 1", "holds"), ("x == x", X, "x > 1 and x < 0", "undecided"),
+    ("R*skew(v)*transpose(R) == skew(R*v)", OF_TENSOR, ROTATION, "holds"),
+    ("R*skew(v)*transpose(R) == skew(R*v)", OF_TENSOR, "R*transpose(R) == I", "false"),
+    ("norm(v + w)**2 == norm(v)**2 - norm(w)**2", VW, "dot(v, w) == 0", "false"),
+    ("norm(v)*norm(w)/dot(v, w) == 1", VW, "v == 2*w", "holds-if"),
+    ("1/x*x == 1", X, "0 < x and x < 1/1000", "holds"), ("sin(a)/cos(a) == tan(a)", A, "norm(a) < 2", "holds-if"),
+    ("sin(a)/cos(a) == tan(a)", A, "norm(a) < 1", "holds"),
+]  # fmt: skip
+CHANGES = [
+    ("cross(v, w) == cross(w, v)", VW, "sign of"), ("cos(2*x) == 1 - sin(x)**2", X, "factor 2 at"),
+    ("inverse(A*B) == inverse(A)*inverse(B)", TENSORS, "product swapped in"),
+    ("exp(skew(v))*transpose(dexp(v)) == transpose(dexp(v))", V, "no transpose of"),
+    ("exp(x + y) == exp(x)*exp(-y)", POSITIVE, "sign of"), ("R*transpose(R)*x == R", {**R, **X}, ""),
+    ("vect(rate(R)*transpose(R)) == R*vect(rate(R)*transpose(R))", R, "product swapped in"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("text", "letters"), HOLDS, ids=str)
+def test_truths(text: str, letters: dict[str, str]) -> None:
+    found = judged(text, letters)
+    assert (str(found.status), found.found, found.changes) == ("holds", "", ())
+
+
+@pytest.mark.parametrize(("text", "letters"), FALSE, ids=str)
+def test_false_claims_have_a_certified_counterexample(text: str, letters: dict[str, str]) -> None:
+    found = judged(text, letters)
+    assert str(found.status) == "false"
+    assert found.counterexample.proof in ("exact rationals", "disjoint intervals") or not found.counterexample.sides
+    assert all(found.counterexample.letters.values())
+
+
+@pytest.mark.parametrize(("text", "letters", "condition"), CONDITIONS, ids=str)
+def test_conditions_are_found(text: str, letters: dict[str, str], condition: str) -> None:
+    found = judged(text, letters)
+    assert (str(found.status), found.found) == ("holds-if", condition)
+    assert found.outside.point.startswith(("undefined at", "false at"))
+
+
+@pytest.mark.parametrize(("text", "letters", "domain", "status"), DOMAINS, ids=str)
+def test_stated_domains(text: str, letters: dict[str, str], domain: str, status: str) -> None:
+    found = judged(text, letters, domain)
+    assert str(found.status) == status, found.method
+    assert status != "holds-if" or found.outside.point.endswith("which the stated domain admits")
+    assert status != "holds" or "==" not in domain or found.certainty == "exact"
+
+
+@pytest.mark.parametrize(("text", "letters", "first"), CHANGES, ids=str)
+def test_changes_in_one_step(text: str, letters: dict[str, str], first: str) -> None:
+    found = judged(text, letters)
+    assert len(found.changes) <= 3
+    assert any(change.startswith(first) for change in found.changes) == bool(first)
+
+
+def test_constraints_are_named() -> None:
+    assert judged("dyad(n, n) == I + skew(n)**2", {"n": "unit vector"}).needs == ("norm(n) == 1",)
+    turned = judged("norm(q*v*conjugate(q)) == norm(v)", {"q": "quaternion", **V}, "norm(q) == 1")
+    assert turned.needs == ("norm(q) == 1",)
+    assert judged("dyad(n, n) == dyad(n, n)*I", {"n": "unit vector"}).needs == ()
+
+
+def test_vacuous_terms_are_named() -> None:
+    assert judged("norm(v - w) == norm(w - v)", VW).vacuous == ()
+    assert judged("v + 0*(v - w) == v", VW).vacuous == ("sign of 0*(v - w)", "sign of w")
+
+
+def test_a_correction_is_decided() -> None:
+    assert str(judged("cross(v, w) == cross(w, v)", VW, corrected="cross(v, w) == -cross(w, v)").status) == "erratum"
+    found = judged("cross(v, w) == cross(w, v)", VW, corrected="cross(v, w) == 2*cross(w, v)")
+    assert (str(found.status), "the correction does not hold" in found.method) == ("false", True)
+
+
+@pytest.mark.parametrize("body", ["norm(t)", "sqrt((t - 1/2)**2)"])
+def test_integrals_over_a_kink_are_not_decided(body: str) -> None:
+    for value in ("9/4", "5/2"):
+        assert str(judged(f"integral({body}, t, -1, 2) == {value}", {}).status) == "undecided"
+    assert str(judged(f"integral({body}, t, 1, 1) == 0", {}).status) == "holds"
+
+
+def test_status_is_known_before_the_changes() -> None:
+    found: list[Result] = []
+    judge_claim("sheet", equation("1", "a claim", 0, statement("1 == 2", Scope({}))), found.append)
+    assert (str(found[0].status), found[0].changes) == ("false", ())
+
+
+def test_failures_on_other_branches_are_counted() -> None:
+    assert judged("atan(tan(a)) == a", A).cuts.endswith("points fail, all outside norm(a) <= pi/2")
+
+
+def test_balls_that_are_too_wide_do_not_count_as_equal() -> None:
+    with precision(256), pytest.raises(BlurredError):
+        Balls().same(Ball(flint().arb(1, 0.1)), 1)
+    assert not Balls().same(Ball(arb(1)), 2)

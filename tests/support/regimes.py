@@ -1,0 +1,353 @@
+"""Regimes at the ends of charts and of number types: vectors in each of them, and the judgement of results.
+
+Each regime is a row of `REGIMES`. Its vectors are right for every function, singular for some, or outside the domain.
+Results are compared with an oracle that shares no code with the kernels. The allowed error is `families.GATE` roundings
+of the norm of a part of the result, plus its change per relative change of every component of the arguments.
+"""
+
+from __future__ import annotations
+
+import importlib
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cache, cached_property
+from types import ModuleType
+from typing import Any
+
+import mpmath
+import numpy as np
+
+from derive.codegen.rows import Function
+from derive.codegen.signatures import POSES, ROTATIONS
+from tests.support import errors, families, oracle, sampling
+from tests.support.rotation_arguments import ROUNDINGS
+
+RIGHT, SINGULAR, OUTSIDE = "finite and right", "right or not finite", "not finite"
+
+AXES = np.array([[2.0, -3, 6], [0, 0, 7]]) / 7
+MOMENT = np.array([1.0, -2, 0.5])
+FAR = 1e6
+CROWD = 25  # size at which a batch runs its recorded program
+
+SIDED = ("principal", "shadow", "shadow_jacobian", "to_screw")
+"""Functions with two right results at half a turn."""
+OF_AXIS = ("shadow", "shadow_jacobian", "to_screw")
+"""Functions that lose digits near the identity, as the axis does, and are not finite there."""
+UNDECIDED = {"whole turns": ("interpolate",), "edge": ("interpolate",), "overflow": ("interpolate",)}
+"""Functions by regime that the oracle does not decide: its steps are too long next to whole turns and edges."""
+DIGITS = {"tiny": 700, "overflow": 700}
+"""Digits of the oracle by regime, where squares of squares meet 1; `families.DIGITS` elsewhere."""
+OF_ANY_VECTOR = ("inverse",)
+"""Functions that are right for every vector: −v is the inverse wherever v has a pose."""
+
+
+class Subject:
+    """Chart under test: a kernel module for poses or for rotations alone, and its oracle."""
+
+    def __init__(self, module: ModuleType, known: oracle.Oracle) -> None:
+        self.module, self.oracle = module, known
+        self.table = ROTATIONS if ".rotation." in module.__name__ else POSES
+        self.ends: bool = module.CHART.ends
+        self.edge = np.inf if module.__name__.endswith(".exponential") else module.singular_angles()[-1]
+
+    @cached_property
+    def components(self) -> int:
+        return len(self.module.identity())
+
+    def size(self, angle: float) -> float:
+        """Return |v| at an angle, which is √φ² of a dual number without dual part."""
+        zero = self.oracle.unpack((0, 0))[0]
+        with mpmath.workdps(families.DIGITS):
+            return float(self.oracle.size(zero + mpmath.mpf(angle) / (2 * self.oracle.order)).re)
+
+    def at(self, sizes: Sequence[float], dtype: Any, far: float = 1.0) -> np.ndarray:
+        """Return vectors of these lengths about every axis, as (…, 6) or (…, 3)."""
+        real = np.array([size * axis for size in sizes for axis in AXES])
+        return np.concatenate([real, np.broadcast_to(far * MOMENT, real.shape)], -1)[:, : self.components].astype(dtype)
+
+
+@cache
+def subject(name: str, table: str = "", digits: int = families.DIGITS) -> Subject:
+    """Return a chart of the catalogue by name, with an oracle of a number of digits."""
+    kind, order = (oracle.Oracle, int(name[6:])) if name.startswith("cayley") else families.ORACLES[name]
+    return Subject(importlib.import_module(".".join(filter(None, ("dualcay", table, name)))), kind(order, digits))
+
+
+Made = Iterator[tuple[str, np.ndarray]]
+"""Vectors, each group with what a function of them may return."""
+
+
+def _angles(chart: Subject, dtype: Any, angles: Sequence[float], fate: str = RIGHT, **options: Any) -> Made:
+    inside = [angle for angle in angles if angle < 0.995 * chart.edge]
+    yield fate, chart.at([chart.size(angle) for angle in inside], dtype, **options)
+
+
+def _identity(chart: Subject, dtype: Any) -> Made:
+    still = np.zeros((2, 6), dtype)
+    still[1, 3:] = MOMENT
+    yield RIGHT, still[:, : chart.components]
+
+
+def _tiny(chart: Subject, dtype: Any) -> Made:
+    """Lengths whose squares are subnormal, 0, or small."""
+    least = float(np.finfo(dtype).smallest_normal)
+    for far in (0.0, 1.0, FAR):
+        yield RIGHT, chart.at([least * 2.0**20, least**0.55, least**0.505, least**0.07], dtype, far)
+
+
+def _beside(size: float, dtype: Any, steps: Sequence[int]) -> list[float]:
+    return [float(size * (1 + k * np.finfo(dtype).eps)) for k in steps]
+
+
+def _half_turn(chart: Subject, dtype: Any) -> Made:
+    if chart.edge > 3.2:
+        yield RIGHT, chart.at(_beside(chart.size(np.pi), dtype, range(-2, 3)), dtype)
+
+
+def _whole_turns(chart: Subject, dtype: Any) -> Made:
+    """The oracle of the exponential counts no turns: vectors lie before the turn."""
+    for turns in (1, 2):
+        if 2 * turns * np.pi < min(chart.edge, 9) - 0.1:
+            yield SINGULAR, chart.at(_beside(chart.size(2 * turns * np.pi), dtype, (-8, -4, -2)), dtype)
+
+
+def _edge(chart: Subject, dtype: Any) -> Made:
+    """Vectors just before the end of a chart, and beyond it."""
+    if chart.ends:
+        end = _beside(chart.size(chart.edge), dtype, (-64, -8, 16, 64))
+        yield SINGULAR, chart.at(end[:2], dtype)
+        yield OUTSIDE, chart.at(end[2:], dtype)
+
+
+def _beyond(chart: Subject, dtype: Any) -> Made:
+    if chart.ends:
+        largest = float(np.finfo(dtype).max) ** 0.4
+        yield OUTSIDE, chart.at([chart.size(chart.edge) * share for share in (1.05, 2.0, 1e3, largest)], dtype)
+
+
+def _overflow(chart: Subject, dtype: Any) -> Made:
+    largest = float(np.finfo(dtype).max)
+    powers = (0.1, 0.26, 0.34, 0.51)
+    if chart.edge == np.inf:
+        yield OUTSIDE, chart.at([largest**power for power in (0.51, 0.8, 0.99)], dtype)
+    elif not chart.ends:
+        yield SINGULAR, chart.at([largest**power for power in powers], dtype)
+
+
+def _not_finite(chart: Subject, dtype: Any) -> Made:
+    v = chart.at([chart.size(1.0)], dtype)[0]
+    bad = [np.where(np.arange(v.size) == i, wrong, v) for i in range(v.size) for wrong in (np.nan, np.inf, -np.inf)]
+    yield OUTSIDE, np.array(bad, dtype)
+
+
+def _ordinary(chart: Subject, dtype: Any) -> Made:
+    yield from _angles(chart, dtype, (1e-3, 0.4, 1.3, 2.9, 3.4, 4.4, 0.99 * min(chart.edge, 6.0)))
+
+
+def _few_digits(chart: Subject, dtype: Any) -> Made:
+    for fate, v in _angles(chart, dtype, (0.02, 1.0, 3.0, 3.14159)):
+        yield fate, v.astype(np.float32).astype(dtype)
+        yield fate, v.round(6)
+
+
+def _far(chart: Subject, dtype: Any) -> Made:
+    yield from _angles(chart, dtype, (1e-9, 0.3, 3.1), far=FAR)
+
+
+REGIMES: Mapping[str, Callable[[Subject, Any], Made]] = {
+    "identity": _identity, "tiny": _tiny, "ordinary": _ordinary, "half turn": _half_turn, "whole turns": _whole_turns,
+    "edge": _edge, "beyond the edge": _beyond, "overflow": _overflow, "not finite": _not_finite,
+    "few digits": _few_digits, "far": _far,
+}  # fmt: skip
+"""Vectors by regime, from a chart and a dtype."""
+
+
+@dataclass(frozen=True)
+class Call:
+    """Call of a function with a vector of a regime in one place, and ordinary values in the others."""
+
+    chart: Subject
+    row: Function
+    given: tuple[np.ndarray, ...]
+    fate: str
+    violation: float = 0.0  # rounding of entries of a matrix, which is then no exact rotation
+
+    def judged(self) -> str:
+        """Return why the single result or one in a batch is wrong; an empty string if both are right."""
+        function = getattr(self.chart.module, self.row.name)
+        alone = _tuple(function(*self.given))
+        crowd = _tuple(function(*(np.repeat(array[None], CROWD, axis=0) for array in self.given)))
+        among = tuple(part[-1] for part in crowd)
+        reason = self._wrong(among)
+        if alone[0].dtype == np.float32 and not self.row.real:
+            reason = reason or self._rounded(function, alone)
+        elif not (reason := reason or self._wrong(alone)) and [*map(_finite, alone)] != [*map(_finite, among)]:
+            reason = f"single and batch are finite in other places: {alone}, {among}"
+        return f"{self.row.name}{self.given}, {self.fate}: {reason}" if reason else ""
+
+    def _rounded(self, function: Any, alone: tuple[np.ndarray, ...]) -> str:
+        """Return why a single result is not that in double precision, rounded once; the range is that of doubles."""
+        doubles = _tuple(function(*(array.astype(np.float64) for array in self.given)))
+        with np.errstate(over="ignore"):
+            expected = [array.astype(np.float32) for array in doubles]
+        same = all(np.array_equal(one, two, equal_nan=True) for one, two in zip(alone, expected, strict=True))
+        return "" if same else f"not the result of doubles rounded once: {alone}, {doubles}"
+
+    def _wrong(self, found: tuple[np.ndarray, ...]) -> str:
+        finite = [bool(np.isfinite(array).all()) for array in found]
+        if self.fate == OUTSIDE:
+            inside = all(np.isfinite(array.ravel()[:3]).all() for array in self.given)  # only dual parts are not finite
+            allowed = self.row.source in OF_ANY_VECTOR or not (all(finite) if inside else any(finite))
+            return "" if allowed else f"finite: {found}"
+        if self.fate == SINGULAR and not all(finite):
+            return ""
+        values = [self._exact(*self._doubles), *self._other_side()]
+        largest, most = max(errors.norm(part) for part in values[0]), float(np.finfo(found[0].dtype).max)
+        if not all(finite):
+            return f"not finite: {found}" if largest < most / 8 else ""
+        if not np.isfinite(largest):
+            return f"finite: {found}" if any(map(_unknown, values[0])) else ""
+        allowed = self._allowed(np.finfo(found[0].dtype), values[0])
+        got = families.parts(found if len(found) > 1 else found[0]) if self.row.pose is None else found
+        share = min(max(map(_share, got, exact, allowed)) for exact in values)
+        return "" if share <= 1 else f"{share:.3g} times the allowed error: {found}, {values[0]}"
+
+    def _allowed(self, limits: Any, exact: list[np.ndarray]) -> list[float]:
+        """Return the largest error of each part of a result."""
+        sizes = families.scale(self._exact, self._doubles, exact)
+        if self.row.source in families.BY_FACTORS:
+            further = families.scale_of_factors(self.chart.oracle, self.row.source, *self._of_poses(*self._doubles))
+            sizes = [a + b for a, b in zip(sizes, further[:: 4 // len(sizes)], strict=True)]
+        length = 1 + min(max(errors.norm(array) for array in self.given), 1e60)
+        lost = ROUNDINGS * float(limits.smallest_subnormal) * length**4
+        return [families.GATE * max(float(limits.eps), self.violation) * size + lost for size in sizes]
+
+    @property
+    def _doubles(self) -> list[np.ndarray]:
+        return [array.astype(np.float64) for array in self.given]
+
+    def _of_poses(self, *given: Any) -> list[Any]:
+        """Return the arguments of the function of poses, with dual parts 0 for rotations."""
+        arrays = (self.row.pose or self.row).arguments
+        embedded = self.row.embedded([tuple(np.ravel(array)) for array in given], 0.0)
+        return [np.array(part, object).reshape(a.shape) for part, a in zip(embedded, arrays, strict=True)]
+
+    def _exact(self, *given: Any) -> list[np.ndarray]:
+        return self._parts(getattr(self.chart.oracle, self.row.source)(*self._of_poses(*given)))
+
+    def _parts(self, result: Any) -> list[np.ndarray]:
+        """Return the parts of a result of the oracle: real and dual ones, or one for each array of rotations."""
+        if self.row.pose is None:
+            return families.parts(result)
+        flat = self.row.part(np.concatenate([np.ravel(array) for array in _tuple(result)]))
+        return np.split(np.array(flat), np.cumsum([array.size for array in self.row.results])[:-1])
+
+    def _other_side(self) -> list[list[np.ndarray]]:
+        """Return the other right results at half a turn: the opposite axis, and the angle on its other side."""
+        name, given, known = self.row.source, self._of_poses(*self._doubles), self.chart.oracle
+        if name == "principal" or name in POSES_OF:
+            return [self._parts(known.shadow(getattr(known, name)(*given), branch)) for branch in (1, -1)]
+        if name == "to_screw":
+            angle, axis = known.to_screw(*given)
+            return [self._parts((np.array([2 * mpmath.pi - angle[0], -angle[1]]), -axis))]
+        return [self._parts(getattr(known, name)(*given, -1))] if name in SIDED else []
+
+
+def _tuple(result: Any) -> tuple[Any, ...]:
+    return result if isinstance(result, tuple) else (result,)
+
+
+def _share(found: np.ndarray, exact: np.ndarray, allowed: float) -> float:
+    return errors.norm(np.reshape(exact, np.shape(found)) - found.astype(object)) / allowed
+
+
+def _unknown(part: np.ndarray) -> bool:
+    return any(map(mpmath.isnan, np.ravel(part)))
+
+
+def _finite(array: np.ndarray) -> list[bool]:
+    return np.isfinite(array).ravel().tolist()
+
+
+STEP = ("w", "delta")  # arguments that are vectors of the exponential
+
+
+def takes_vectors(row: Function) -> bool:
+    return any(array.vector or array.name in STEP for array in row.arguments)
+
+
+def calls(chart: Subject, name: str, regime: str, dtype: Any = np.float64) -> Iterator[Call]:
+    """Yield calls of a function of vectors, with the vectors of a regime in each place where one may stand."""
+    row = chart.table.public[name]
+    undecided = row.source in UNDECIDED.get(regime, ())
+    counted = chart.module.CHART.branches != 0  # else shadows may end, and the oracle has no derivative of them
+    if (row.source == "shadow_jacobian" and not counted) or (row.source == "angle" and chart.edge == np.inf):
+        return
+    if regime == "half turn" and abs(chart.edge - 3 * np.pi) < 1 and row.source in ("shadow", "shadow_jacobian"):
+        return  # the shadow of half a turn lies at the edge, and both sides of the edge are right
+    rng = sampling.generator(name, regime)
+    steps = subject("exponential", chart.table.name)
+    usual = [_usual(chart, steps, array, rng).astype(dtype) for array in row.arguments]
+    for place, array in enumerate(row.arguments):
+        if array.vector or array.name in STEP:
+            for fate, vectors in REGIMES[regime](chart if array.vector else steps, dtype):
+                lost = row.source in OF_AXIS and (regime in ("identity", "tiny") or not counted)
+                for v in vectors if fate == OUTSIDE or not undecided else ():
+                    may = SINGULAR if lost and fate == RIGHT else fate
+                    yield Call(chart, row, (*usual[:place], v, *usual[place + 1 :]), may)
+
+
+# --- inverse maps -------------------------------------------------------------------------------------------------
+
+POSES_OF = {"from_quaternion": "quaternion", "from_tensor": "tensor", "from_pose": "pose"}
+NORMS = (-1.0, 2.0, 1e-3, 1e10)
+
+
+def inverse_calls(chart: Subject, name: str, regime: str, dtype: Any = np.float64) -> Iterator[Call]:
+    """Yield calls of an inverse map with the poses of a regime's vectors, and with others of the same regime."""
+    row = chart.table.public[name]
+    for given, fate in _poses(chart, getattr(chart.module, POSES_OF[name]), regime, dtype):
+        rounded = regime == "few digits" and np.ndim(given) > 1
+        yield Call(chart, row, (np.asarray(given, dtype),), fate, 1e-6 * rounded)
+
+
+def _poses(chart: Subject, forward: Callable[..., Any], regime: str, dtype: Any) -> Iterator[tuple[Any, str]]:
+    """Yield representations of poses, and what an inverse map of them may return."""
+    usual = forward(chart.at([chart.size(1.0)], np.float64)[0])
+    if regime == "not finite":
+        entries = [index for index in np.ndindex(usual.shape) if index[0] != 3 or usual.shape != (4, 4)]
+        for index in entries:
+            for wrong in (np.nan, np.inf, -np.inf):
+                given = usual.copy()
+                given[index] = wrong
+                yield given, OUTSIDE
+        if usual.ndim == 1:
+            yield 0 * usual, OUTSIDE
+    elif regime == "other norms":
+        yield from ((norm * usual, RIGHT) for norm in NORMS if usual.ndim == 1)
+    elif regime == "half turn":
+        for u in () if chart.edge < 3.2 else sampling.unit_vectors(sampling.generator("half turns"), (6,)):
+            if usual.ndim == 1:
+                yield np.concatenate([[0], u, np.zeros(4)])[: usual.size], RIGHT
+                continue
+            given = np.zeros(usual.shape) if usual.shape != (4, 4) else np.eye(4)
+            (given[0] if usual.ndim == 3 else given)[:3, :3] = 2 * np.outer(u, u) - np.eye(3)
+            yield given, RIGHT
+    else:
+        for fate, vectors in REGIMES[regime](chart, np.float64):
+            for v in vectors if fate == RIGHT and np.isfinite(vectors).all() else ():
+                given = forward(v)
+                if np.isfinite(given).all():
+                    yield given.round(6) if regime == "few digits" else given, fate
+
+
+INVERSE_REGIMES = ("identity", "tiny", "ordinary", "half turn", "few digits", "far", "not finite", "other norms")
+
+
+def _usual(chart: Subject, steps: Subject, array: Any, rng: np.random.Generator) -> np.ndarray:
+    """Return an ordinary value of an argument; vectors are short, so that products stay inside the edge."""
+    drawn = rng.uniform(0.1, 1, size=array.shape)
+    if array.vector or array.name in STEP:
+        size = (chart if array.vector else steps).size(0.3)
+        drawn[:3] *= size / np.linalg.norm(drawn[:3])
+    return np.asarray(drawn)
