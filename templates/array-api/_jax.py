@@ -25,21 +25,25 @@ def apart(values: Values) -> Values:
     a product with the unit matrix, a choice keeps NaN in its place.
     """
     places = [i for i, value in enumerate(values) if isinstance(value, jax.core.Tracer)]
-    arrays = [values[i] for i in places]
-    if not arrays or len({(array.shape, array.dtype) for array in arrays}) > 1:
+    if not places:
         return values
     chosen = jax.lax.optimization_barrier(jnp.array(True))
-    stored = jax.lax.platform_dependent(jnp.stack(arrays), cpu=partial(_chosen, chosen), default=_same)
+    stored = jax.lax.platform_dependent(*(values[i] for i in places), cpu=partial(_chosen, chosen), default=_same)
     found = dict(zip(places, stored, strict=True))
     return [found.get(i, value) for i, value in enumerate(values)]
 
 
-def _same(array: Array) -> Array:
-    return array
+def _same(*arrays: Array) -> Values:
+    return arrays
 
 
-def _chosen(chosen: Array, array: Array) -> Array:
-    return jax.lax.cond(chosen, _same, jnp.negative, array)
+def _zeros(*arrays: Array) -> Values:
+    return tuple(map(jnp.zeros_like, arrays))
+
+
+def _chosen(chosen: Array, *arrays: Array) -> Values:
+    found: Values = jax.lax.cond(chosen, _same, _zeros, *arrays)
+    return found
 
 
 def carry(slope: Callable[[Values, Values, Values], Values], results: Values, given: Values) -> Sequence[Array]:

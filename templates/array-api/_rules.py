@@ -124,6 +124,11 @@ def _shadow(at: Motions, turn: tuple[str, ...], w: Array, values: Values, rates:
     return _product(call(at.chart, "shadow_jacobian", -1, *values, table=turn), *rates)
 
 
+def _principal(at: Motions, returns: tuple[str, ...], w: Array, values: Values, rates: Values) -> Array:
+    """Return ``T(w)⁻¹ T(v) dv``, because w has the pose of v."""
+    return at.rate(w, at.twist(*values, *rates))
+
+
 def _interpolate(at: Motions, table: tuple[str, ...], w: Array, values: Values, rates: Values) -> Array:
     """Return ``T(w)⁻¹ (dexp(t δ) (t dδ + δ dt) + exp(t δ) T(v1) dv1)``, with δ from v1 to v2."""
     (v1, v2, t), (rate1, rate2, change) = values, rates
@@ -173,6 +178,7 @@ RULES: Mapping[str, Rule] = {
     "rate": _rate,
     "turn": _shadow,
     "shadow": _shadow,
+    "principal": _principal,
     "interpolate": _interpolate,
     "to_exponential": _to_exponential,
     "from_exponential": _from_exponential,

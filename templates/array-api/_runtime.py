@@ -50,6 +50,10 @@ class Namespace:
         """Return values that a compiler stores, rather than compute them again for each result that needs them."""
         return values
 
+    def once(self, value: Any) -> Any:
+        """Return a value that a compiler computes once."""
+        return self.apart([value])[0]
+
     def taken(self, value: Any) -> Array:
         """Return a Python value or a NumPy array as an array of this library; numbers take the arguments' type."""
         return self.xp.asarray(value, dtype=None if hasattr(value, "dtype") else self.dtype, **self.place())
@@ -147,6 +151,10 @@ class Jax(Ruled, Unplaced):
     """Functions of JAX."""
 
     library = "._jax"
+
+    def __init__(self, xp: Any, like: Array) -> None:
+        super().__init__(xp, like)
+        self.tan = lambda angle: self.once(xp.tan(angle))  # the slowest function; fusions would call it again
 
     def apart(self, values: Sequence[Any]) -> Sequence[Any]:
         found: Sequence[Any] = importlib.import_module(self.library, __package__).apart(values)

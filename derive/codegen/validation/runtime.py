@@ -239,7 +239,9 @@ def slopes(at: Loaded) -> Iterator[Case]:
             continue
         values, rates = (np.array(numbers)[:, None] for numbers in given[len(row.arguments)])
         program = getattr(chart.scalars, name)
-        rows = rule(m, c, program(m, *values)[: len(row.results) - part.BY_TEXT.get(name, 0)], values)
+        found = program(m, *values)
+        ends = part.LAST[name](m, c, program, found, values) if name in part.LAST else ()
+        rows = rule(m, c, found, values)[: len(found) - len(ends)]
         ahead, back = (np.hstack(program(m, *(values + s * rates))[: len(rows)]) for s in (STEP, -STEP))
         slope = np.hstack([sum(p * r for p, r in zip(partials, rates)) for partials in rows])
         yield f"slopes of {name}", slope, (ahead - back) / (2 * STEP)
