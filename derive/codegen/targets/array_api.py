@@ -31,7 +31,8 @@ TOWERS = {
 """Scalar programs, and those that return slopes of their results; the last slopes have none."""
 
 STEP_SCALARS = (
-    "pose_scalars", "tangent_scalars", "tangent_dot_scalars", "tangent_inv_scalars", "tangent_inv_dot_scalars",
+    "pose_scalars", "tangent_scalars", "tangent_dot_scalars", "rate_scalars", "tangent_inv_scalars",
+    "tangent_inv_dot_scalars",
 )  # fmt: skip
 """Scalar programs of the exponential that the rules of differentiation need."""
 

@@ -190,6 +190,7 @@ def steps(at: Loaded) -> Iterator[Case]:
         "f": lambda x: mpmath.sinc(mpmath.sqrt(x)),
         "g": lambda x: mpmath.sinc(mpmath.sqrt(x) / 2) ** 2 / 2,
         "h": lambda x: (1 - mpmath.sinc(mpmath.sqrt(x))) / x,
+        "rate": lambda x: mpmath.mpf(1),
         "fi": lambda x: mpmath.sqrt(x) * mpmath.cot(mpmath.sqrt(x) / 2),
         "hi": lambda x: (2 - mpmath.sqrt(x) * mpmath.cot(mpmath.sqrt(x) / 2)) / x,
     }
