@@ -64,6 +64,7 @@ def test_a_round_trip_is_the_identity_to_second_order(charts, ruled, monkeypatch
     assert (abs(found - np.eye(6)).max() < 1e-13) == ruled  # NaN is false
 
 
+@pytest.mark.thorough
 def test_steps_have_second_derivatives(charts):
     """Compare with differences of the oracle, at half a turn, where the text of tangents cancels."""
     assert not worst(charts("exponential"), "exponential", "retract", by_jax, regimes=("π -1e-09",))
