@@ -25,6 +25,7 @@ from derive.codegen.signatures import POSES, PUBLIC, Function
 from derive.codegen.validation.c_text import prefix
 from derive.codegen.validation.compiled import compiler
 from derive.maps import Cayley
+from derive.maps.chart import Chart
 from tests.support import packages
 
 FLAGS = ("-std=c99", "-O3", "-march=native", "-ffp-contract=off", "-fno-math-errno", "-fno-trapping-math",
@@ -35,7 +36,7 @@ Array = NDArray[Any]
 
 
 class CForm:
-    """Compiled kernels of one order; ``call("pose", v, out=pose)`` runs one of them on C-contiguous arrays.
+    """Compiled kernels of one chart; ``call("pose", v, out=pose)`` runs one of them on C-contiguous arrays.
 
     Arrays have shape (components, N), or with ``layout="aos"`` shape (N, components).
     """
@@ -70,27 +71,27 @@ def load(order: int, real: str = "double") -> CForm | None:
     with tempfile.TemporaryDirectory(prefix="dualcay-c-form-") as build:
         folder = Path(build)
         packages.write([order], "c", folder)
-        return CForm(compiled(command, folder, order, real, folder), real)  # usable without its file
+        return CForm(compiled(command, folder, Cayley(order), real, folder), real)  # usable without its file
 
 
 def compiled(
     command: list[str],
     headers: Path,
-    order: int,
+    chart: Chart,
     real: str,
     folder: Path,
     table: Table = POSES,
     flags: Sequence[str] = FLAGS,
 ) -> Path:
-    """Compile the header in one folder into a shared library in another folder."""
+    """Compile the header of a chart in one folder into a shared library in another folder."""
     source, library = folder / "library.c", folder / "library.so"
-    source.write_text("\n".join(_source(Cayley(order), table)) + "\n", encoding="utf-8")
+    source.write_text("\n".join(_source(chart, table)) + "\n", encoding="utf-8")
     options = [*flags, f"-DDUALCAY_REAL={real}", f"-I{headers}", "-shared", "-fPIC"]
     subprocess.run([*command, *options, str(source), "-o", str(library), "-lm"], check=True)
     return library
 
 
-def _source(chart: Cayley, table: Table) -> Iterator[str]:
+def _source(chart: Chart, table: Table) -> Iterator[str]:
     yield f'#include "{inside(table, f"{chart.name}.h")}"'
     for name, signature in table.public.items():
         yield from _exports(f"{prefix(chart, table)}_{name}", name, signature)

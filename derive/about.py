@@ -35,7 +35,7 @@ SHEET = "sheet"
 """Name of the formula sheet, beside the names of formulas."""
 
 PAPERS = ("condurache-popa-2023", "karakilic-2010")
-"""Slugs of `derive.papers.PAPERS`."""
+"""Slugs of the registered papers: names of files and packages in `derive.papers`."""
 
 FORMATS = ("text", "json", "markdown", "html", "latex")
 """Keys of `derive.papers.report.FORMATS`."""

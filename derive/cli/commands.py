@@ -64,7 +64,7 @@ def cli() -> None:
 @cli.command()
 @orders("Orders n of v = tan(α/2n) u, e.g. 7 or 1-5,8; by default the committed ones.")
 @families("Other parameterizations, e.g. lambert,sine7.")
-@click.option("--phi", metavar="EXPR", help="A parameterization v = φ(α) u of your own, e.g. "
+@click.option("--phi", callback=options.phi, metavar="EXPR", help="A parameterization v = φ(α) u of your own, e.g. "
               "'alpha/(1 + alpha**2/40)'; -n is the n in it.")  # fmt: skip
 @click.option("--name", metavar="NAME", help="Name of its module.")
 @click.option("--target", type=click.Choice(about.TARGETS), default=about.TARGET, show_default=True,
@@ -83,7 +83,7 @@ def generate(**given: Any) -> None:
 @cli.command()
 @orders("Orders n of v = tan(α/2n) u, e.g. 3 or 1-5.")
 @families("Other parameterizations, e.g. lambert,sine7.")
-@click.option("--phi", metavar="EXPR", help="A parameterization v = φ(α) u of your own, e.g. "
+@click.option("--phi", callback=options.phi, metavar="EXPR", help="A parameterization v = φ(α) u of your own, e.g. "
               "'alpha/(1 + alpha**2/40)'; -n is the n in it.")  # fmt: skip
 @click.option("--what", callback=options.formulas, metavar="NAMES",
               help=f"Out of {ALL}; by default all of the chart. Or {about.SHEET}: four pages of formulas.")  # fmt: skip
@@ -98,7 +98,7 @@ def show(**given: Any) -> None:
 @cli.command()
 @orders("Orders n of v = tan(α/2n) u, e.g. 1-4.")
 @families("Other parameterizations, e.g. exponential,lambert; without any, the committed ones.")
-@click.option("--phi", metavar="EXPR", help="One of your own, e.g. 'alpha/(1 + alpha**2/40)'.")
+@click.option("--phi", callback=options.phi, metavar="EXPR", help="One of your own, e.g. 'alpha/(1 + alpha**2/40)'.")
 @click.option("--plot", type=options.Place(dir_okay=False), help="File of a plot against the angle, by its ending.")
 @form(("text", "json", "markdown"), "How the figures are written.")
 @options.max_n

@@ -57,6 +57,16 @@ def listed(context: click.Context, parameter: click.Parameter, value: str | None
     return tuple(dict.fromkeys(part.strip() for part in value.split(","))) if value is not None else ()
 
 
+def phi(context: click.Context, parameter: click.Parameter, value: str | None) -> str | None:
+    """Return the text of φ, with its syntax checked before SymPy is loaded."""
+    from ..maps.any_phi.grammar import PHI
+
+    if value is not None:
+        with refusals("--phi"):
+            PHI.tree(value.strip(" "))
+    return value
+
+
 class Place(click.Path):
     """File or folder to write; an empty name, as from an unset variable, and a place below a file are refused."""
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import itertools
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -137,20 +137,21 @@ class Table:
     kernels: Mapping[str, Function]  # functions with a ``recipe``
     public: Mapping[str, Function]  # functions that users call
     sources: Mapping[str, Function]  # all functions by `Function.source`, the name of the function of poses
+    composed: Mapping[str, Function]  # functions that Python composes at run time; in C they have programs
 
     @classmethod
-    def of(cls, name: str, rows: Iterable[Function]) -> Table:
+    def of(cls, name: str, rows: Iterable[Function], composed: Iterable[Function]) -> Table:
         functions = {row.name: row for row in rows}
         kernels = {name: row for name, row in functions.items() if row.recipe}
         public = {name: row for name, row in functions.items() if row.public}
-        return cls(name, functions, kernels, public, {row.source: row for row in functions.values()})
+        sources = {row.source: row for row in functions.values()}
+        return cls(name, functions, kernels, public, sources, {row.name: row for row in composed})
 
-    def require_complete(self, where: str, found: Iterable[str]) -> None:
+    def require_complete(self, where: str, found: Iterable[str], further: Collection[str] = ()) -> None:
         """Raise ValueError unless the functions found are the public ones; the message names the differences."""
-        names = set(found)
-        if names != self.public.keys():
-            missing = ", ".join(sorted(self.public.keys() - names)) or "none"
-            extra = ", ".join(sorted(names - self.public.keys())) or "none"
+        names, wanted = set(found), {*self.public, *further}
+        if names != wanted:
+            missing, extra = (", ".join(sorted(some)) or "none" for some in (wanted - names, names - wanted))
             raise ValueError(f"{where}: functions of the table that are missing: {missing}; not in it: {extra}")
 
     def aliases(self, chart: Chart) -> dict[str, str]:

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 from functools import partial
 
-from .lowering import calculus, forward, groups, inverse, kinematics, motion, retraction, shadows
+from .lowering import calculus, forward, groups, inverse, kinematics, motion, retraction, shadows, switching
 from .lowering.point import Recipe
 from .rows import Array, Function, Table
 
@@ -34,6 +34,8 @@ OMEGA, V_DOT, LINE, SHADOW, MOVED, BACK = map(_dual, ("omega", "v_dot", "line", 
 AXIS = replace(LINE, real_name="u")
 OMEGA_DOT, V_DDOT, WRENCH, MOMENTUM = map(_dual, ("omega_dot", "v_ddot", "z", "tau"))
 DELTA, MOVED_V, LOGARITHM = map(_dual, ("delta", "v_moved", "w"))
+COVARIANCE = Array("covariance", (6, 6), (0, 0, 0, 1, 1, 1) * 3 + (1, 1, 1, 2, 2, 2) * 3, real=(3, 3))
+SWITCHED = V_DOT.called("v_dot_k"), COVARIANCE.called("covariance_k")
 TENSOR = _tensor("tensor")
 JACOBIAN, BY_V, BY_LINE = map(_jacobian, ("jacobian", "by_v", "by_line"))
 TWO, BY_TWO = (V.called("v2"), V.called("v1")), (_jacobian("by_v2"), _jacobian("by_v1"))
@@ -134,12 +136,18 @@ _ROWS = (
     Function("adjoint", (V,), (_jacobian("adjoint"),), groups.adjoint),
     Function("transform_point_jacobians", (V, POINT), (BY_V_OF_POINT, BY_POINT), groups.transform_point_jacobians),
     Function("transform_line_jacobians", (V, LINE), (BY_V, BY_LINE), groups.transform_line_jacobians, rotation=None),
+    _by_exponential("step_jacobians", (DELTA, *TWO), BY_TWO, retraction.step_jacobians, public=False),
+    _by_exponential("local_jacobians", TWO, BY_TWO, retraction.local_jacobians),
+    _by_exponential("body_local_jacobians", TWO, BY_TWO, retraction.body_local_jacobians),
 )
 
-POSES = Table.of("", _ROWS)
+_COMPOSED = (_selecting("switch", (V, V_DOT, COVARIANCE), (SHADOW, *SWITCHED), switching.switch),)
+
+POSES = Table.of("", _ROWS, _COMPOSED)
 """Functions of a kernel module for poses."""
 
-ROTATIONS = Table.of("rotation", (row.of_rotation for row in _ROWS if row.rotation is not None))
+_REAL = ([row.of_rotation for row in rows if row.rotation is not None] for rows in (_ROWS, _COMPOSED))
+ROTATIONS = Table.of("rotation", *_REAL)
 """Functions of a module of rotations alone: the real parts of the functions of poses."""
 
 FUNCTIONS: Mapping[str, Function] = POSES.functions

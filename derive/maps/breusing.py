@@ -57,7 +57,7 @@ class BreusingScalars(DependentScalars):
 
     _root = scalar(lambda at: at.m.sqrt(at.c), "rootc")
     rate = scalar(lambda at: 4 * (at.w * at._over), "rho")
-    h = scalar(lambda at: at.c * at._twice * (2 + at._over))  # 2 c w (3 + 2 c²)/(1 + c²), with fewer operations
+    h = scalar(lambda at: at.c * at._twice * at._thickness)  # 2 c w (3 + 2 c²)/(1 + c²), with fewer operations
     _decline = scalar(lambda at: 2 * (at.c * at._over), "decline")  # −2 c′/c
     _share = scalar(lambda at: 4 * (at.cc * at._over), "share")  # 4 c²/(1 + c²)
 
@@ -72,6 +72,11 @@ class BreusingScalars(DependentScalars):
     g = scalar(lambda at: 8 * (at.c / (at._size * at._size)))  # 2 w² = 8 c/(c + x)², with fewer roundings
     fi = scalar(lambda at: at._above / (2 * at._root))  # s/w = (c − x)/(2 √c)
     hi = scalar(lambda at: at.m.div(3, 4 * at._root))  # 3/(4 √c)
+    # −h/g, whose factors underflow sooner, and its slope
+    _ratio = scalar(lambda at: at.c / at.w, "ratio")
+    _thickness = scalar(lambda at: 2 + at._over, "thickness")
+    fiy = scalar(lambda at: -(at._ratio * at._thickness))
+    fiyy = scalar(lambda at: -at.m.div(at._ratio * at._decline * (at._thickness + at._over * at._share), 2))
     hiy = scalar(lambda at: at.m.div(at.hi * at._decline, 2))
     hiyy = scalar(lambda at: at.m.div(at.hiy * at._decline + at.hi * at._declining, 2))
 

@@ -186,8 +186,8 @@ class Chart(Typeset, ABC):
         if self.range.is_infinite:
             return 1
         over = m.name("over", plus(x, number(-(self.range**2)), m, "overx"))
-        back = m.div(1, 1 + 4 * times(number(1 / self.range**2), over, m, "share"))
-        return m.name("shrunk", m.where(m.less(over, 0), 1, back))
+        beyond = m.name("excess", over + m.abs(over))  # twice the excess, or 0
+        return m.div(1, 1 + 2 * times(number(1 / self.range**2), beyond, m, "share"))
 
     @abstractmethod
     def back(self, x: Coefficient, fi: Coefficient, m: Arithmetic) -> Pair:

@@ -26,8 +26,3 @@ def of_angle(phi: sympy.Expr) -> SimpleNamespace:
     f, fi = 2 * sine * cosine / phi, phi * cosine / sine
     g, h, hi = 2 * sine**2 / phi**2, (1 / slope - f) / phi**2, (2 * slope - fi) / phi**2
     return SimpleNamespace(x=phi**2, s=cosine, w=sine / phi, f=f, g=g, h=h, fi=fi, hi=hi)
-
-
-def by_square(expression: sympy.Expr, phi: sympy.Expr) -> sympy.Expr:
-    """Return the derivative of a function of α with respect to x = φ²."""
-    return expression.diff(alpha) / (2 * phi * phi.diff(alpha))

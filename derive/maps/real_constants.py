@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import cached_property, lru_cache
 from typing import Any
 
 import mpmath
@@ -73,7 +74,7 @@ class Polynomial:
         """Tell whether this is a constant with several levels, whose powers of two exceed the integers of float32."""
         return not any(any(level[1:]) for level in self.levels) and any(any(level) for level in self.levels[1:])
 
-    @property
+    @cached_property
     def coefficients(self) -> list[Any]:
         """Coefficients of the powers of t."""
         parts = [mpmath.ldexp(1, -self.shift - BITS * place) for place in range(len(self.levels))]
@@ -100,11 +101,16 @@ def polynomial(
     return Polynomial(tuple(found), shift, scale, centre)
 
 
+@lru_cache(maxsize=256)
+def _split(number: Any, levels: int, precision: int) -> Polynomial:
+    return polynomial([number], levels=levels)
+
+
 def times(number: Any, value: Coefficient, m: Arithmetic, name: str, levels: int = LEVELS) -> Coefficient:
     """Return a real number times a value."""
     if is_small(number):
         return m.div(number.numerator * value, number.denominator)
-    split = polynomial([number], levels=levels)
+    split = _split(number, levels, mpmath.mp.prec)
     total: Coefficient = 0
     for place, (digit,) in reversed(list(enumerate(split.levels))):
         total = shifted(digit * value + total, split.shift if place == 0 else BITS, m)
@@ -112,13 +118,14 @@ def times(number: Any, value: Coefficient, m: Arithmetic, name: str, levels: int
 
 
 def plus(value: Coefficient, number: Any, m: Arithmetic, name: str, levels: int = LEVELS) -> Coefficient:
-    """Return a value plus a real number."""
+    """Return a value plus a real number; no power of two multiplies the value, which may be near overflow."""
     if is_small(number):
         return value + number
-    split = polynomial([number], levels=levels)
-    total, below = value, split.shift
+    split = _split(number, levels, mpmath.mp.prec)
+    total, below = m.name(f"{name}_of", value), split.shift
+    one = m.name(f"{name}_one", value - value + 1)
     for (digit,) in split.levels:
-        total = shifted(shifted(total, -below, m) + digit, below, m)
+        total = total + shifted(digit * one, below, m)
         below += BITS
     return m.name(name, total)
 

@@ -71,6 +71,7 @@ _ROWS: Mapping[str, Coverage] = {
     "retract body_retract": Coverage("50 digits", _SMALL, _BRANCH),
     "retract_jacobians body_retract_jacobians": Coverage("50 digits", (*_SMALL, *_PRODUCT), _BRANCH),
     "local body_local": Coverage("50 digits", _SMALL, "the principal angle"),
+    "local_jacobians body_local_jacobians": Coverage("50 digits", (*_SMALL, *_PRODUCT), "the principal angle"),
     "interpolate": Coverage("50 digits", _SMALL, "the shorter way, and the branch that is followed from v1"),
     "compose_jacobians between_jacobians": Coverage("50 digits", _PRODUCT, _PRINCIPAL),
     "compose": Coverage("50 digits", ("composition", "quaternion"), _PRINCIPAL),

@@ -6,7 +6,7 @@ language               terms, operators, values and evaluation of formulas
 equation               entries for printed equations and claims, and papers with their sections
 result                 verdicts and status of an entry
 condurache_popa_2023   entries of CP23, one module for each section
-karakilic_2010         entries of K10
+karakilic_2010.toml    claims of K10, in the same form as the files of users
 sharp                  sharpness of a condition, tested by the denominators
 explore                truth of a statement at seeded points, special points and poles
 claim                  a claim with its letters, evaluated over balls at points given by coordinates
@@ -17,6 +17,7 @@ changes                claims that differ from a claim in one step
 judge                  decision of a claim whose condition is found
 decide                 status of an entry whose condition is stated
 entry_certificate      certificate of an entry: both sides of its equations as integer lists
+transcript             equations of a file that follows a paper's text, with stated conditions
 sheet                  papers as TOML files, read to entries
 run                    decision of a file's equations in worker processes
 report                 results as text, JSON, Markdown, HTML and LaTeX
@@ -36,20 +37,32 @@ from __future__ import annotations
 import warnings
 from collections.abc import Callable, Collection, Iterable, Sequence
 from contextlib import nullcontext
+from importlib import import_module
 from pathlib import Path
 
+from .. import about
 from ..output.listing import Listing
 from ..output.progress import bar, no_op
-from . import condurache_popa_2023, karakilic_2010
 from .decide import decide
 from .equation import Entry, Paper, Reading, UndecidedError, equation
 from .judge import ORDERS
 from .language.claims import ClaimError
 from .result import Result, Status, Verdict
 from .run import SECONDS, decide_each
-from .sheet import Sheet, SheetError, claim_alone, load
+from .sheet import Sheet, SheetError, claim_alone, load, sheet
 
-PAPERS: tuple[Paper, ...] = (condurache_popa_2023.PAPER, karakilic_2010.PAPER)
+
+def registered(slug: str) -> Paper:
+    """Return a paper of this folder: a file of claims, or a package with its `PAPER`."""
+    name = slug.replace("-", "_")
+    file = Path(__file__).parent / f"{name}.toml"
+    if file.exists():
+        return sheet(file.read_text(encoding="utf-8"), f"{__name__.replace('.', '/')}/{file.name}")
+    paper: Paper = import_module(f".{name}", __name__).PAPER
+    return paper
+
+
+PAPERS = tuple(map(registered, about.PAPERS))
 
 
 def check(claim: str, /, *, domain: str = "", seconds: float = SECONDS, **letters: str) -> Result:
@@ -139,9 +152,10 @@ def verify(
     [<Result condurache-popa-2023 (112): erratum>]
     """
     papers: list[Paper] = [p for p in PAPERS if paper in (None, p.slug)]
+    file = None
     if not papers and paper is not None and Path(paper).suffix == ".toml":
-        papers = [found := load(paper)]
-        for problem in found.problems:
+        papers = [file := load(paper)]
+        for problem in file.problems:
             warnings.warn(str(problem), stacklevel=2)
     if not papers:
         raise ValueError(f"no paper {str(paper)!r}: expected {' or '.join(p.slug for p in PAPERS)}, or a file *.toml")
@@ -151,9 +165,9 @@ def verify(
     missing = sorted(set(wanted or ()) - {e.number for _, e in chosen})
     if missing:
         raise ValueError(f"no equation {', '.join(missing)}")
-    if isinstance(papers[0], Sheet):
+    if file is not None:
         with bar(len(chosen)) as step:
-            return check_sheets([papers[0]], wanted, seconds, step)
+            return check_sheets([file], wanted, seconds, step)
     results: Listing[Result] = Listing()
     with bar(len(chosen)) if progress is None else nullcontext(no_op) as step:
         for done, (source, entry) in enumerate(chosen, 1):

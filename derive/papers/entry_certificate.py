@@ -10,9 +10,10 @@ from ..proof.certificate import Certificate, part
 from ..proof.identity import Sides
 from .claim import Claim
 from .decide import prove
+from .equation import Entry
 from .judge import ORDERS, Pairs, proved
 from .language import operator_table
-from .language.printed import Apply, Term, text
+from .language.printed import Apply, Symbol, Term, text
 from .language.written import written
 from .result import Result, Status
 
@@ -49,9 +50,15 @@ def certificate(result: Result, orders: Sequence[int] = ORDERS) -> Certificate |
         "status": "proved",
         "method": "both sides evaluated at generic values, fractions not reduced",
         "claims": [claim],
-        "premises": [{"text": f"{d.symbol.name} as defined in derive.maps", "by": "definition"} for d in entry.where],
+        "premises": [{"text": _defined(entry, d.symbol), "by": "definition"} for d in entry.where],
         "parts": [part([(claim, _sides(*pair)) for pair in pairs]) for pairs in pairs if pairs],
     }
+
+
+def _defined(entry: Entry, symbol: Symbol) -> str:
+    """Return the definition of a symbol as its file gives it, or the place of one in Python."""
+    found = entry.abbreviations.get(str(symbol.args[3]))
+    return f"{found.head} = {found.text}" if found else f"{symbol.name} as defined in derive.maps"
 
 
 def _only_equations(statement: Term) -> bool:

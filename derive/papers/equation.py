@@ -117,10 +117,11 @@ class Entry(Typeset):
 
 
 def _entry_at(source: str, number: str) -> Entry:
-    """Return the entry with a number in the module at a path."""
-    entries = importlib.import_module(source.removesuffix(".py").replace("/", ".")).ENTRIES
-    found: Entry = next(entry for entry in entries if entry.number == number)
-    return replace(found, source=source)
+    """Return the entry with a number that a module or file of a registered paper defines."""
+    papers = importlib.import_module(__package__).PAPERS
+    entries = (entry for paper in papers for entry in paper.entries())
+    found: Entry = next(entry for entry in entries if (entry.source, entry.number) == (source, number))
+    return found
 
 
 def equation(number: str, title: str, line: int, printed: Term | tuple[Reading, ...], **rest: Any) -> Entry:
@@ -129,13 +130,34 @@ def equation(number: str, title: str, line: int, printed: Term | tuple[Reading, 
     return Entry(number, title, line, rest.pop("extract", ""), readings, **rest)
 
 
+class Latex(str):
+    """Extract that is LaTeX."""
+
+
+_LATEX = (
+    (r"\\text\{[^{}]*\}", ""),  # words, which are not the paper's
+    (r"\\mathbf\{\\hat\{r\}\}|\^\{\\mathbf\{r\}\}|\\vec\b", ""),  # arrows; the first two are extracted as letters
+    (r"\\(stackrel|overset)\{\\mathbf\{\w\}\}\{(\w)\}", r"\2"),
+    (r"\\(begin|end)\{\w+\}|\\(left|right|frac|quad|mathbf|mathrm|operatorname|\W)|[$&\s]", ""),
+    (r"\\sum", "Σ"), (r"\\cdot", "·"), (r"\\(sin|cos|tan)", r"\1"), ("Sin", "sin"), ("Cos", "cos"), ("Tan", "tan"),
+)  # fmt: skip
+
+
+def characters(formula: str) -> str:
+    """Return the characters of a LaTeX formula in order, without layout commands and arrows."""
+    for pattern, character in _LATEX:
+        formula = re.sub(pattern, character, formula)
+    return formula
+
+
 def faithful(reading: Term, extract: str, lost: str) -> bool:
     """Return whether a reading has the same characters as the extract, in order, apart from lost ones and spaces.
 
     A tilde may precede or follow the index of its symbol.
     """
     drop = str.maketrans("", "", lost + " ")
-    left, right = (re.sub(r"~(\d+)", r"\1~", line.translate(drop)) for line in (text(reading), extract))
+    lines = map(characters, (latex(reading), extract)) if isinstance(extract, Latex) else (text(reading), extract)
+    left, right = (re.sub(r"~(\d+)", r"\1~", line.translate(drop)) for line in lines)
     return left == right
 
 

@@ -116,8 +116,9 @@ class Result(Typeset):
 
     @property
     def section(self) -> str:
-        """Section number in the paper, read from the file name of the entry's module."""
-        found = re.search(r"/s0?(\d+)(?:_(\d))?", self.equation.source)
+        """Section number in the paper, from the entry's place, or from the file name of its module."""
+        at, source = self.equation.at, self.equation.source
+        found = re.search(r"^section (\d+)", at) or re.search(r"/s0?(\d+)(?:_(\d))?", source)
         return ".".join(part for part in found.groups() if part) if found else ""
 
     @property

@@ -18,7 +18,7 @@ from dataclasses import fields
 from typing import Any
 
 from ..workers import cores
-from .equation import Entry
+from .equation import Entry, UndecidedError
 from .numbers.balls import flint
 from .result import Result, Status, Verdict
 from .sheet import Sheet
@@ -160,6 +160,7 @@ def _receive(requests: queue.SimpleQueue[Any]) -> None:
 
 
 def _serve() -> None:
+    from .decide import decide
     from .judge import judge_claim
 
     requests: queue.SimpleQueue[Any] = queue.SimpleQueue()
@@ -179,7 +180,9 @@ def _serve() -> None:
             answers.flush()
 
         try:
-            result = judge_claim(slug, entry, answer)
+            result = decide(slug, entry, sheet.lost) if sheet.stated else judge_claim(slug, entry, answer)
+        except UndecidedError as error:
+            result = undecided(slug, entry, str(error))
         except Exception as error:
             result = undecided(slug, entry, f"it cannot be evaluated: {type(error).__name__}: {error}")
         answer(result, True)

@@ -7,8 +7,9 @@ from __future__ import annotations
 
 import re
 import tomllib
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
+from functools import cached_property
 from pathlib import Path
 from typing import Any
 
@@ -16,14 +17,17 @@ from .equation import Entry, Paper, Reading
 from .language.claims import LITERALS, Abbreviation, ClaimError, Scope, expanded, statement, tree
 from .language.kinds import letter
 from .language.operations import CONSTANTS, OPERATIONS
-from .language.printed import Term, Trait, with_trait
+from .language.printed import Symbol, Term, Trait, with_trait
+from .transcript import READING_KEYS, Transcript, point
 
 BYTES_MAX = 2_000_000
 """Largest size of a file."""
 EQUATIONS_MAX = 2000
-TABLES = ("paper", "letters", "definitions", "equation", "field")
-PAPER_KEYS = ("slug", "title", "source")
+TABLES = ("paper", "letters", "definitions", "latex", "point", "claims", "reasons", "equation", "field")
+PAPER_KEYS = ("slug", "short", "title", "source", "conditions", "lost", "sections")
 KEYS = ("number", "title", "at", "latex", "claim", "domain", "corrected", "remark")
+STATED_KEYS = (*KEYS, "line", "reading", "condition", "because", "stated", "said", "fixed_by", "lost")
+"""Keys of an equation, and those of a transcript, which states conditions."""
 HEAD = re.compile(r"([A-Za-z]\w*)\s*(?:\(\s*([A-Za-z]\w*(?:\s*,\s*[A-Za-z]\w*)*)\s*\))?", re.ASCII)
 
 
@@ -49,12 +53,15 @@ class Problem:
         return {"file": self.file, "equation": self.equation, "column": self.column, "message": self.message}
 
 
+Content = tuple[tuple["Entry", ...], tuple[Problem, ...]]
+
+
 @dataclass(frozen=True)
 class Sheet(Paper):
-    """Paper read from a file, with what could not be read."""
+    """Paper read from a file; its equations are read on first use."""
 
-    read: tuple[Entry, ...] = ()
-    problems: tuple[Problem, ...] = ()
+    stated: bool = False  # whether it is a transcript, whose conditions are stated
+    read: Callable[[], Content] = field(default=lambda: ((), ()), repr=False, compare=False)
     request: tuple[Any, ...] = field(default=(), repr=False)  # arguments that make the sheet again in another process
 
     @staticmethod
@@ -62,8 +69,17 @@ class Sheet(Paper):
         """Return the sheet made from a request."""
         return sheet(*request) if len(request) == 2 else claim_alone(*request)
 
+    @cached_property
+    def _content(self) -> Content:
+        return self.read()
+
+    @property
+    def problems(self) -> tuple[Problem, ...]:
+        """Text that cannot be read."""
+        return self._content[1]
+
     def entries(self) -> tuple[Entry, ...]:
-        return self.read
+        return self._content[0]
 
 
 def load(path: str | Path) -> Sheet:
@@ -99,12 +115,31 @@ def sheet(text: str, name: str) -> Sheet:
     if len(equations) > EQUATIONS_MAX:
         raise SheetError(f"{name}: a file has at most {EQUATIONS_MAX} equations, got {len(equations)}")
     slug = about.get("slug") or Path(name).stem
-    reader = _Reader(name)
-    scope = reader.scope(_strings(data, "letters", name), _strings(data, "definitions", name))
-    entries = tuple(e for number, row in enumerate(equations, 1) if (e := reader.entry(number, row, scope)) is not None)
+    letters, definitions, shown, claims, reasons = (
+        _strings(data, table, name) for table in ("letters", "definitions", "latex", "claims", "reasons")
+    )
+    if about.get("conditions", "found") not in ("found", "stated"):
+        raise SheetError(f"{name}: conditions are \"found\" or \"stated\", got {about['conditions']!r}")
+    sections = about.get("sections", "").split()
+    if wrong := next((line for line in (*sections, *claims) if not line.isdecimal()), None):
+        raise SheetError(f"{name}: expected the number of a line, got {wrong!r}")
+    stated = about.get("conditions") == "stated"
+
+    def read() -> Content:
+        reader = _Reader(name)
+        scope = reader.scope(letters, definitions, shown)
+        points = reader.points(data.get("point", []), scope)
+        printed = {OPERATIONS[call].operator: text for call, text in shown.items() if call in OPERATIONS}
+        transcript = Transcript(name, scope, printed, tuple(map(int, sections)), points) if stated else None
+        found = [reader.entry(number, row, scope, transcript) for number, row in enumerate(equations, 1)]
+        return tuple(entry for entry in found if entry is not None), tuple(reader.problems)
+
     citation = ". ".join(part for part in (about.get("title", ""), about.get("source", "")) if part)
-    return Sheet(slug=slug, short=slug, citation=citation, lost="", package="", sections=(), claims={}, reasons={},
-                 read=entries, problems=tuple(reader.problems), request=(text, name))  # fmt: skip
+    return Sheet(
+        slug=slug, short=about.get("short", slug), citation=citation, lost=about.get("lost", ""), package="",
+        sections=(), claims={int(line): numbers for line, numbers in claims.items()}, reasons=reasons, stated=stated,
+        read=read, request=(text, name),
+    )  # fmt: skip
 
 
 def claim_alone(claim: str, letters: Mapping[str, str], domain: str = "") -> Sheet:
@@ -112,7 +147,7 @@ def claim_alone(claim: str, letters: Mapping[str, str], domain: str = "") -> She
     scope = Scope({name: letter(name, kind) for name, kind in letters.items()})
     entry = _entry({"number": "", "claim": claim, **({"domain": domain} if domain else {})}, scope, "")
     return Sheet(slug="", short="claim", citation="", lost="", package="", sections=(), claims={}, reasons={},
-                 read=(entry,), request=(claim, dict(letters), domain))  # fmt: skip
+                 read=lambda: ((entry,), ()), request=(claim, dict(letters), domain))  # fmt: skip
 
 
 def _strings(data: Mapping[str, Any], table: str, name: str) -> dict[str, str]:
@@ -138,25 +173,36 @@ class _Reader:
         message = error.message if isinstance(error, ClaimError) else error
         self.problems.append(Problem(self.file, place, column, " ".join(message.split())))
 
-    def scope(self, letters: Mapping[str, str], definitions: Mapping[str, str]) -> Scope:
-        """Return the scope of the file's letters and definitions."""
+    def scope(self, letters: Mapping[str, str], definitions: Mapping[str, str], shown: Mapping[str, str]) -> Scope:
+        """Return the scope of the file's letters and definitions; `shown` has the LaTeX of names as printed."""
         known = {}
         for name, kind in letters.items():
             try:
-                known[name] = letter(name, kind)
+                symbol, of = letter(name, kind)
+                known[name] = Symbol(*map(str, (*symbol.args[:2], shown.get(name, symbol.args[2]), name))), of
             except ClaimError as error:
                 self.problem(f"letter {name}", error.message)
         found: dict[str, Abbreviation] = {}
         for head, text in definitions.items():
             try:
-                abbreviation = _abbreviation(head, text, {**known, **found})
+                abbreviation = _abbreviation(head, text, {**known, **found}, shown)
                 found[abbreviation.name] = abbreviation
                 tree(text)
             except ClaimError as error:
                 self.problem(f"definition {head}", error)
         return Scope(known, found)
 
-    def entry(self, place: int, row: Mapping[str, Any], scope: Scope) -> Entry | None:
+    def points(self, rows: Any, scope: Scope) -> tuple[Mapping[Symbol, Term], ...]:
+        """Return the further points of a transcript."""
+        found = []
+        for place, row in enumerate(rows if isinstance(rows, list) else [], 1):
+            try:
+                found.append(point(row, scope))
+            except ClaimError as error:
+                self.problem(f"point at place {place}", error)
+        return tuple(found)
+
+    def entry(self, place: int, row: Mapping[str, Any], scope: Scope, transcript: Transcript | None) -> Entry | None:
         """Return the entry of an equation, or None for one that cannot be read."""
         number = row.get("number")
         label = str(number) if isinstance(number, str | int) and str(number).strip() else ""
@@ -167,19 +213,32 @@ class _Reader:
             if label in self.numbers:
                 raise ClaimError("this number is given twice")
             self.numbers.add(label)
-            if unknown := ", ".join(key for key in row if key not in KEYS):
-                raise ClaimError(f"unknown key {unknown}: expected {', '.join(KEYS)}")
-            if wrong := next((key for key in KEYS[1:] if key in row and not isinstance(row[key], str)), None):
-                raise ClaimError(f"{wrong} is a text in quotes, got {type(row[wrong]).__name__}")
-            if "claim" not in row:
+            _check(row, STATED_KEYS if transcript else KEYS)
+            if "claim" not in row and not row.get("reading"):
                 raise ClaimError("an equation has a claim, such as claim = \"a == b\"")
-            return _entry({**row, "number": label}, scope, self.file)
+            row = {**row, "number": label}
+            return transcript.entry(row) if transcript else _entry(row, scope, self.file)
         except ClaimError as error:
             self.problem(where, error)
             return None
 
 
-def _abbreviation(head: str, text: str, taken: Mapping[str, Any]) -> Abbreviation:
+def _check(row: Mapping[str, Any], keys: tuple[str, ...]) -> None:
+    """Raise ClaimError unless an equation has known keys with values of the right kind."""
+    if unknown := ", ".join(key for key in row if key not in keys):
+        raise ClaimError(f"unknown key {unknown}: expected {', '.join(keys)}")
+    for key, value in row.items():
+        if key == "reading":
+            if not (isinstance(value, list) and all(isinstance(r, dict) and "claim" in r for r in value)):
+                raise ClaimError("reading is a list of tables with a claim, such as [{claim = \"a == b\"}]")
+            for reading in value:
+                _check(reading, READING_KEYS)
+        elif key != "number" and not isinstance(value, int if key == "line" else str):
+            raise ClaimError(f"{key} is {'an integer' if key == 'line' else 'a text in quotes'}, "
+                             f"got {type(value).__name__}")
+
+
+def _abbreviation(head: str, text: str, taken: Mapping[str, Any], shown: Mapping[str, str]) -> Abbreviation:
     match = HEAD.fullmatch(head.strip())
     if match is None:
         raise ClaimError(f"a definition is a name such as omega or G(w), got {head!r}")
@@ -190,7 +249,7 @@ def _abbreviation(head: str, text: str, taken: Mapping[str, Any]) -> Abbreviatio
         raise ClaimError(f"{name} is an operation: take another name")
     if len(set(parameters)) < len(parameters) or set(parameters) & set(CONSTANTS):
         raise ClaimError(f"the parameters of {name} are different letters")
-    return Abbreviation(name, parameters, text)
+    return Abbreviation(name, parameters, text, shown.get(name, ""))
 
 
 def _entry(row: Mapping[str, str], scope: Scope, source: str) -> Entry:

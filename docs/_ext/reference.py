@@ -13,8 +13,10 @@ from docutils import nodes
 
 import dualcay
 from derive.cli.commands import cli
+from derive.codegen.catalogue import committed
+from derive.codegen.lowered import lower_chart
 from derive.codegen.signatures import POSES
-from derive.codegen.targets.c import shared_geometry
+from derive.codegen.targets.c import levels, shared_geometry
 from derive.output import templates
 from derive.papers.language.kinds import LETTERS
 from derive.papers.language.operations import OPERATIONS
@@ -126,11 +128,25 @@ def c_page() -> str:
     return "\n".join(parts)
 
 
+def c_left_out_page() -> str:
+    """Return the functions of poses that the C headers of each committed chart lack without math.h, in Markdown."""
+    charts: dict[str, list[str]] = {}
+    for chart in committed():
+        needed = levels(lower_chart(chart, POSES))
+        sides: tuple[list[str], list[str]] = ([], [])
+        for name, row in {**POSES.public, **POSES.composed}.items():
+            sides[needed[row.kernel] > 1].append(f"`{name}`")
+        kept, lost = map(", ".join, sides)
+        charts.setdefault(f"all but {kept}" if len(kept) < len(lost) else lost, []).append(f"`{chart.name}`")
+    rows = (f"| {', '.join(names)} | {lost} |" for lost, names in charts.items())
+    return "\n".join(["| charts | functions |", "|---|---|", *rows, ""])
+
+
 def write(app: Any) -> None:
     """Write the included texts and the figures into the folder of generated pages."""
     folder = Path(app.srcdir) / GENERATED
     folder.mkdir(parents=True, exist_ok=True)
-    pages = (command_page, c_page, kinds_page, operations_page)
+    pages = (command_page, c_page, c_left_out_page, kinds_page, operations_page)
     for name, text in ((f"{page.__name__.removesuffix('_page')}.inc", page()) for page in pages):
         (folder / name).write_text(text, encoding="utf-8")
     reference_figures.draw(folder)

@@ -722,7 +722,7 @@ def from_quaternion(m: Any, c: Any, e: Components) -> Result:
     square = e0 * e0 + (e1 * e1 + e2 * e2 + e3 * e3)
     size = m.sqrt(square)
     inverse = 1 / square
-    whole = size + inverse
+    whole = square + inverse
     return (
         vector_of(m, c, (e0, e1, e2, e3), size, whole, ((e1o * e0 - e1 * e0o + (e2 * e3o - e3 * e2o)) * inverse, (e2o
         * e0 - e2 * e0o + (e3 * e1o - e1 * e3o)) * inverse, (e3o * e0 - e3 * e0o + (e1 * e2o - e2 * e1o)) * inverse))
@@ -1599,6 +1599,48 @@ def transform_line_jacobians(m: Any, c: Any, v: Components, line: Components) ->
     return *by_v, *by_line
 
 
+def step_jacobians(m: Any, c: Any, delta: Components, v2: Components, v1: Components) -> Result:
+    """Matrices dexp(δ)⁻¹ T(v2) and −dexp(−δ)⁻¹ T(v1), where dexp(−δ) is the transpose of dexp(δ)."""
+    d1, d2, d3, _, _, _ = delta
+    s, w, _, g, h, _, gy, hy = exponential_scalars(m, (d1, d2, d3))
+    fi = s / w
+    hi = g - fi * h
+    fiy = -(h / g)
+    hiy = gy - fiy * h - fi * hy
+    back = tangent_inverse_at(fi, hi, fiy, hiy, delta)
+    (
+        back11, back12, back13, back21, back22, back23, back31, back32, back33, back11o, back12o, back13o, back21o,
+        back22o, back23o, back31o, back32o, back33o,
+    ) = back
+    T2 = tangent(m, c, v2)
+    D2 = dual_product(back, T2)
+    by_v2 = matrix6(D2)
+    T1 = tangent(m, c, v1)
+    D1 = (
+        dual_product((-back11, -back21, -back31, -back12, -back22, -back32, -back13, -back23, -back33, -back11o,
+        -back21o, -back31o, -back12o, -back22o, -back32o, -back13o, -back23o, -back33o), T1)
+    )
+    by_v1 = matrix6(D1)
+    return *by_v2, *by_v1
+
+
+def local_jacobians(m: Any, c: Any, v2: Components, v1: Components) -> Result:
+    """Derivatives dexp(δ)⁻¹ T(v2) and −dexp(−δ)⁻¹ T(v1) of δ = local(v2, v1), by v2 and by v1."""
+    d = local(m, c, v2, v1)
+    return step_jacobians(m, c, d, v2, v1)
+
+
+def body_local_jacobians(m: Any, c: Any, v2: Components, v1: Components) -> Result:
+    """Derivatives dexp(−δ)⁻¹ T(−v2) and −dexp(δ)⁻¹ T(−v1) of δ = body_local(v2, v1), by v2 and by v1."""
+    b1, b2, b3, b1o, b2o, b3o = v2
+    a1, a2, a3, a1o, a2o, a3o = v1
+    d1, d2, d3, d1o, d2o, d3o = body_local(m, c, v2, v1)
+    return (
+        step_jacobians(m, c, (-d1, -d2, -d3, -d1o, -d2o, -d3o), (-b1, -b2, -b3, -b1o, -b2o, -b3o), (-a1, -a2, -a3, -a1o,
+        -a2o, -a3o))
+    )
+
+
 KERNELS: Mapping[str, Kernel] = {
     "quaternion": Kernel(quaternion, (("v", (6,)),), (8,), real=False),
     "tensor": Kernel(tensor, (("v", (6,)),), (2, 3, 3), real=False),
@@ -1646,4 +1688,7 @@ KERNELS: Mapping[str, Kernel] = {
     "adjoint": Kernel(adjoint, (("v", (6,)),), (6, 6), real=False),
     "transform_point_jacobians": Kernel(transform_point_jacobians, (("v", (6,)), ("r", (3,)),), (27,), real=False),
     "transform_line_jacobians": Kernel(transform_line_jacobians, (("v", (6,)), ("line", (6,)),), (72,), real=False),
+    "step_jacobians": Kernel(step_jacobians, (("delta", (6,)), ("v2", (6,)), ("v1", (6,)),), (72,), real=True),
+    "local_jacobians": Kernel(local_jacobians, (("v2", (6,)), ("v1", (6,)),), (72,), real=True),
+    "body_local_jacobians": Kernel(body_local_jacobians, (("v2", (6,)), ("v1", (6,)),), (72,), real=True),
 }

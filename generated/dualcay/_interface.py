@@ -89,8 +89,7 @@ class PoseKernels(Kernels):
         ----------
         v : array, shape (..., 6)
             Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
         scalar_first : bool
             True for the scalar first in each half, False for the scalar last in each half.
 
@@ -122,8 +121,7 @@ class PoseKernels(Kernels):
         ----------
         v : array, shape (..., 6)
             Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -150,8 +148,7 @@ class PoseKernels(Kernels):
         ----------
         v : array, shape (..., 6)
             Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -181,8 +178,7 @@ class PoseKernels(Kernels):
             Complex T is a TypeError.
         branch : int
             k of ``φ(α + 2kπ) u``, modulo the number of branches; 0 is principal. Anything else is a TypeError.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
         check : bool or float
             Largest violation allowed, otherwise ValueError; True is sqrt(eps) of the array type. NaN is refused too.
 
@@ -263,8 +259,7 @@ class PoseKernels(Kernels):
             Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
         line : array, shape (..., 6)
             Plücker coordinates: direction, then moment about the space origin.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -318,8 +313,7 @@ class PoseKernels(Kernels):
         line : array, shape (..., 6)
             Axis, a unit dual vector: unit direction, then moment about the origin (perpendicular to it).
             Complex numbers are a TypeError.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
         check : bool or float
             Largest violation allowed, otherwise ValueError; True is sqrt(eps) of the array type. NaN is refused too.
 
@@ -387,8 +381,7 @@ class PoseKernels(Kernels):
             NaN or infinity in any component, or zero, gives NaN. Complex q is a TypeError.
         branch : int
             k of ``φ(α + 2kπ) u``, modulo the number of branches; 0 is principal. Anything else is a TypeError.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
         check : bool or float
             Largest violation allowed, otherwise ValueError; True is sqrt(eps) of the array type. NaN is refused too.
         scalar_first : bool
@@ -426,8 +419,7 @@ class PoseKernels(Kernels):
             Errors are first order in a violation of orthogonality. Complex R is a TypeError.
         branch : int
             k of ``φ(α + 2kπ) u``, modulo the number of branches; 0 is principal. Anything else is a TypeError.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
         check : bool or float
             Largest violation allowed, otherwise ValueError; True is sqrt(eps) of the array type. NaN is refused too.
 
@@ -488,8 +480,7 @@ class PoseKernels(Kernels):
         ----------
         v : array, shape (..., 6)
             Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -514,8 +505,7 @@ class PoseKernels(Kernels):
             Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
         r : array, shape (..., 3)
             Point (length unit of the pose).
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -570,8 +560,7 @@ class PoseKernels(Kernels):
         ----------
         v : array, shape (..., 6)
             Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -598,8 +587,7 @@ class PoseKernels(Kernels):
         ----------
         v : array, shape (..., 6)
             Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -622,8 +610,7 @@ class PoseKernels(Kernels):
         ----------
         v : array, shape (..., 6)
             Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -646,8 +633,7 @@ class PoseKernels(Kernels):
         ----------
         v : array, shape (..., 6)
             Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -670,8 +656,7 @@ class PoseKernels(Kernels):
         ----------
         v : array, shape (..., 6)
             Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -704,8 +689,7 @@ class PoseKernels(Kernels):
             Complex v is a TypeError.
         branch : int
             k, modulo the number of branches; anything else is a TypeError.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -733,8 +717,7 @@ class PoseKernels(Kernels):
             Complex v is a TypeError.
         branch : int
             k, modulo the number of branches; anything else is a TypeError.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -759,8 +742,7 @@ class PoseKernels(Kernels):
         v : array, shape (..., 6)
             Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
             Complex v is a TypeError.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -784,8 +766,7 @@ class PoseKernels(Kernels):
         v : array, shape (..., 6)
             Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
             Complex v is a TypeError.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -809,8 +790,7 @@ class PoseKernels(Kernels):
         v : array, shape (..., 6)
             Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
             Complex v is a TypeError.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -868,8 +848,7 @@ class PoseKernels(Kernels):
         w : array, shape (..., 6)
             Exponential coordinates: rotation vector (rad), then dual part (length unit of the pose).
             Complex w is a TypeError.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -895,8 +874,7 @@ class PoseKernels(Kernels):
         ----------
         v2, v1 : array, shape (..., 6)
             Vectors of the chart: real part, then dual part. Complex numbers are a TypeError.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -920,8 +898,7 @@ class PoseKernels(Kernels):
         ----------
         v2, v1 : array, shape (..., 6)
             Vectors of the chart: real part, then dual part. Complex numbers are a TypeError.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -989,6 +966,60 @@ class PoseKernels(Kernels):
         found = call(self._chart, "between_jacobians", axis, None, v2, v1)
         return separate(found, axis, JACOBIAN, JACOBIAN)
 
+    def local_jacobians(self, v2: ArrayLike, v1: ArrayLike, *, axis: int = -1) -> tuple[Array, ...]:
+        r"""Return the derivatives of ``δ = local(v2, v1)`` by v2 and by v1, on the principal branch.
+
+        ``∂δ/∂v2 = dexp(δ)⁻¹ T(v2)`` and ``∂δ/∂v1 = −dexp(−δ)⁻¹ T(v1)``.
+
+        Parameters
+        ----------
+        v2, v1 : array, shape (..., 6)
+            Vectors of the chart: real part, then dual part. Complex numbers are a TypeError.
+        axis : {-1, 0}, component axis of arguments and results
+
+        Returns
+        -------
+        by_v2, by_v1 : array, shape (..., 6, 6)
+            Rows: components of the result. Columns: components of the argument.
+
+        Examples
+        --------
+        >>> v, w, step = np.arange(6) / 10, np.full(6, 0.2), np.full(6, 1e-6)
+        >>> by_w, by_v = cayley2.local_jacobians(w, v)
+        >>> moved = cayley2.local([w + step, w - step], v)
+        >>> np.allclose(by_w @ step, (moved[0] - moved[1]) / 2)
+        True
+        """
+        found = call(self._chart, "local_jacobians", axis, None, v2, v1)
+        return separate(found, axis, JACOBIAN, JACOBIAN)
+
+    def body_local_jacobians(self, v2: ArrayLike, v1: ArrayLike, *, axis: int = -1) -> tuple[Array, ...]:
+        r"""Return the derivatives of ``δ = body_local(v2, v1)`` by v2 and by v1, on the principal branch.
+
+        ``∂δ/∂v2 = dexp(−δ)⁻¹ T(v2)ᵀ`` and ``∂δ/∂v1 = −dexp(δ)⁻¹ T(v1)ᵀ``.
+
+        Parameters
+        ----------
+        v2, v1 : array, shape (..., 6)
+            Vectors of the chart: real part, then dual part. Complex numbers are a TypeError.
+        axis : {-1, 0}, component axis of arguments and results
+
+        Returns
+        -------
+        by_v2, by_v1 : array, shape (..., 6, 6)
+            Rows: components of the result. Columns: components of the argument.
+
+        Examples
+        --------
+        >>> v, w, step = np.arange(6) / 10, np.full(6, 0.2), np.full(6, 1e-6)
+        >>> by_w, by_v = cayley2.body_local_jacobians(w, v)
+        >>> moved = cayley2.body_local(w, [v + step, v - step])
+        >>> np.allclose(by_v @ step, (moved[0] - moved[1]) / 2)
+        True
+        """
+        found = call(self._chart, "body_local_jacobians", axis, None, v2, v1)
+        return separate(found, axis, JACOBIAN, JACOBIAN)
+
     def interpolate(self, v1: ArrayLike, v2: ArrayLike, t: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
         r"""Return the vector at t on the motion of constant twist from v1 (t = 0) to v2 (t = 1): ``exp(t δ) R(v1)``.
 
@@ -1002,8 +1033,7 @@ class PoseKernels(Kernels):
             Vectors of the chart: real part, then dual part. Complex numbers are a TypeError.
         t : array, shape (...)
             Fraction of the motion, any number; broadcasts with the batch.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -1032,8 +1062,7 @@ class PoseKernels(Kernels):
             Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
         v_dot : array, shape (..., 6)
             Time derivative of v (1/s): real part, then dual part.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -1058,8 +1087,7 @@ class PoseKernels(Kernels):
             Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
         omega : array, shape (..., 6)
             Twist [ω, v] in the space frame: angular velocity (rad/s), then velocity of the body point at the space origin.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -1084,8 +1112,7 @@ class PoseKernels(Kernels):
             Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
         v_dot : array, shape (..., 6)
             Time derivative of v (1/s): real part, then dual part.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -1113,8 +1140,7 @@ class PoseKernels(Kernels):
             Time derivative of v (1/s): real part, then dual part.
         v_ddot : array, shape (..., 6)
             Second time derivative of v (1/s²): real part, then dual part.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -1142,8 +1168,7 @@ class PoseKernels(Kernels):
             Twist [ω, v] in the space frame: angular velocity (rad/s), then velocity of the body point at the space origin.
         omega_dot : array, shape (..., 6)
             Time derivative of the twist in the space frame: angular part (rad/s²), then linear part.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -1169,8 +1194,7 @@ class PoseKernels(Kernels):
             Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
         v_dot : array, shape (..., 6)
             Time derivative of v (1/s): real part, then dual part.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -1195,8 +1219,7 @@ class PoseKernels(Kernels):
             Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
         omega : array, shape (..., 6)
             Twist [ω, v] in the space frame: angular velocity (rad/s), then velocity of the body point at the space origin.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -1223,8 +1246,7 @@ class PoseKernels(Kernels):
             Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
         v0 : array, shape (..., 6)
             Vector at the initial time, on the branch that the motion continues to v.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -1249,8 +1271,7 @@ class PoseKernels(Kernels):
             Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
         z : array, shape (..., 6)
             Wrench [f, m] in the space frame: force, then moment about the space origin.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -1276,8 +1297,7 @@ class PoseKernels(Kernels):
             Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
         z : array, shape (..., 6)
             Wrench [f, m] in the space frame: force, then moment about the space origin.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -1305,8 +1325,7 @@ class PoseKernels(Kernels):
         delta : array, shape (..., 6)
             Step [rotation (rad), translation part]: a twist times its time.
             Complex numbers are a TypeError.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -1358,8 +1377,7 @@ class PoseKernels(Kernels):
         ----------
         v2, v1 : array, shape (..., 6)
             Vectors of the chart: real part, then dual part. Complex numbers are a TypeError.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -1386,8 +1404,7 @@ class PoseKernels(Kernels):
             Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
         v_dot : array, shape (..., 6)
             Time derivative of v (1/s): real part, then dual part.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -1412,8 +1429,7 @@ class PoseKernels(Kernels):
             Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
         omega : array, shape (..., 6)
             Twist [ω, v] in the body frame: angular velocity (rad/s), then velocity of the body point at the body origin.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -1438,8 +1454,7 @@ class PoseKernels(Kernels):
             Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
         v_dot : array, shape (..., 6)
             Time derivative of v (1/s): real part, then dual part.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -1467,8 +1482,7 @@ class PoseKernels(Kernels):
             Time derivative of v (1/s): real part, then dual part.
         v_ddot : array, shape (..., 6)
             Second time derivative of v (1/s²): real part, then dual part.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -1496,8 +1510,7 @@ class PoseKernels(Kernels):
             Twist [ω, v] in the body frame: angular velocity (rad/s), then velocity of the body point at the body origin.
         omega_dot : array, shape (..., 6)
             Time derivative of the twist in the body frame: angular part (rad/s²), then linear part.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -1523,8 +1536,7 @@ class PoseKernels(Kernels):
             Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
         v_dot : array, shape (..., 6)
             Time derivative of v (1/s): real part, then dual part.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -1549,8 +1561,7 @@ class PoseKernels(Kernels):
             Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
         omega : array, shape (..., 6)
             Twist [ω, v] in the body frame: angular velocity (rad/s), then velocity of the body point at the body origin.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -1577,8 +1588,7 @@ class PoseKernels(Kernels):
             Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
         v0 : array, shape (..., 6)
             Vector at the initial time, on the branch that the motion continues to v.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -1603,8 +1613,7 @@ class PoseKernels(Kernels):
             Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
         z : array, shape (..., 6)
             Wrench [f, m] in the body frame: force, then moment about the body origin.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -1630,8 +1639,7 @@ class PoseKernels(Kernels):
             Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
         z : array, shape (..., 6)
             Wrench [f, m] in the body frame: force, then moment about the body origin.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -1659,8 +1667,7 @@ class PoseKernels(Kernels):
         delta : array, shape (..., 6)
             Step [rotation (rad), translation part]: a twist times its time.
             Complex numbers are a TypeError.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -1712,8 +1719,7 @@ class PoseKernels(Kernels):
         ----------
         v2, v1 : array, shape (..., 6)
             Vectors of the chart: real part, then dual part. Complex numbers are a TypeError.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------

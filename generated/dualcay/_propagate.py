@@ -112,7 +112,8 @@ def propagate(
     q = module.quaternion(v)
     angle = _angle(module, v, q)
     form, switched = FORMS[method](problem), angle > largest_angle(module)
-    start = (-q if (q[0] < 0) != (math.pi < angle and not switched) else q).tolist()
+    along = (module.principal(v) if switched else v)[:3]
+    start = (-q if q[1:4] @ along < 0 else q).tolist()
     restarted = form.restart(v)
     local, centre = (np.zeros(6), start) if restarted is None else (restarted, [1.0, *[0.0] * 7])
     found: list[Step] = []

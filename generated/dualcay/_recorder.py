@@ -52,7 +52,7 @@ class Number:
 
     def __neg__(self) -> Number:
         # a product has two operands as most calls have, which makes runs longer; complex zeros would lose their sign
-        return self.tape.enter(np.multiply, self, -1) if self.tape.bits else self.tape.enter(np.negative, self)
+        return self.tape.enter(np.multiply, self, -1) if self.tape.integer else self.tape.enter(np.negative, self)
 
     def __lt__(self, other: Any) -> Number:
         return self.tape.compare(less, np.less, self, other)
@@ -80,9 +80,9 @@ class Tape:
     """List of numbered entries: arguments, constants, operations. Methods are the functions that kernels call."""
 
     def __init__(self, dtype: np.dtype[Any]) -> None:
-        self.bits = bits(dtype) is not None
+        self.dtype, self.integer = dtype, bits(dtype)
         self.operations: list[Operation | None] = []
-        self.constants: dict[str, tuple[int, Any]] = {}
+        self.constants: dict[str, tuple[Number, Any]] = {}
         self.masks: set[int] = set()
         self._known: dict[Operation, Number] = {}
 
@@ -102,16 +102,19 @@ class Tape:
 
     def compare(self, on_bits: Function, on_booleans: Function, a: Any, b: Any) -> Number:
         """Return the entry of a comparison."""
-        return self.enter(on_bits if self.bits else on_booleans, a, b, mask=True)
+        return self.enter(on_bits if self.integer else on_booleans, a, b, mask=True)
 
     def where(self, mask: Any, a: Any, b: Any) -> Any:
         """Return the entry that selects a if the mask is true, else b: ``b ^ ((a ^ b) & mask)`` if masks are bits."""
         if isinstance(mask, bool):
             return a if mask else b
         truth = self.masks.issuperset((self.index(a), self.index(b)))
-        if not self.bits:
+        if self.integer is None:
             return self.enter(where, mask, a, b, mask=truth)
-        differing = self.enter(np.bitwise_xor, a, b, mask=True)
+        if isinstance(a, Number) or isinstance(b, Number):
+            differing = self.enter(np.bitwise_xor, a, b, mask=True)
+        else:
+            differing = self._constant_xor(a, b, self.integer)
         return self.enter(np.bitwise_xor, self.enter(np.bitwise_and, differing, mask, mask=True), b, mask=truth)
 
     def abs(self, a: Any) -> Number:
@@ -134,11 +137,17 @@ class Tape:
 
     def index(self, operand: Any) -> int:
         """Return the entry number of a recorded number or a constant."""
-        if isinstance(operand, Number):
-            return operand.index
-        if repr(operand) not in self.constants:
-            self.constants[repr(operand)] = self._append(None).index, operand
-        return self.constants[repr(operand)][0]
+        return operand.index if isinstance(operand, Number) else self._constant(repr(operand), operand).index
+
+    def _constant_xor(self, a: Any, b: Any, integer: np.dtype[Any]) -> Number:
+        """Return the constant whose bits are those that differ between two constants."""
+        differing = np.array(a, self.dtype).view(integer) ^ np.array(b, self.dtype).view(integer)
+        return self._constant(hex(differing), differing.view(self.dtype))
+
+    def _constant(self, key: str, value: Any) -> Number:
+        if key not in self.constants:
+            self.constants[key] = self._append(None), value
+        return self.constants[key][0]
 
     def _append(self, operation: Operation | None) -> Number:
         self.operations.append(operation)
@@ -162,7 +171,7 @@ def record(text: Function, sizes: Sequence[int], dtype: np.dtype[Any]) -> Progra
     arguments = [[tape.argument() for _ in range(size)] for size in sizes]
     outputs = [tape.index(output) for output in text(tape, *arguments)]
     constants = tape.constants.values()
-    fixed = [number.index for argument in arguments for number in argument] + [index for index, _ in constants]
+    fixed = [number.index for argument in arguments for number in argument] + [number.index for number, _ in constants]
     rows = Rows(tape.operations, tape.masks, fixed, outputs)
     runs = tuple(rows.runs())
     numbers = tuple(np.array(value, dtype) for _, value in constants)

@@ -111,11 +111,6 @@ def call(
     return out
 
 
-def common_type(values: Sequence[ArrayLike], arrays: Sequence[Array]) -> np.dtype[Any]:
-    """Return the dtype of a result; a plain number, such as a time, takes the dtype of the other arguments."""
-    return np.result_type(*(v if type(v) in (int, float) else a for v, a in zip(values, arrays, strict=True)))
-
-
 def _directly(native: Compiled, values: Sequence[Any], table: tuple[str, ...]) -> Array | None:
     """Return the result of the compiled form for plain float64 arrays, or None if the arrays are not plain."""
     made: Array | None = native.directly(*values, *_numbers(native, values, table)) if table else native.directly(*values)
@@ -281,6 +276,11 @@ def as_array(name: str, value: ArrayLike, part: Shape, axis: int, real: bool = F
         expected = f"({inner}, ...)" if axis == 0 else f"(..., {inner})"
         raise ValueError(f"{name} must have shape {expected}, got {array.shape}")
     return array
+
+
+def common_type(values: Sequence[ArrayLike], arrays: Sequence[Array]) -> np.dtype[Any]:
+    """Return the dtype of a result; a plain number, such as a time, takes the dtype of the other arguments."""
+    return np.result_type(*(v if type(v) in (int, float) else a for v, a in zip(values, arrays, strict=True)))
 
 
 def batch_shape(arguments: Sequence[tuple[str, Shape]], arrays: Sequence[Array], axis: int) -> Shape:

@@ -125,7 +125,8 @@ def candidates(module: Any, rows: Rows, branches: Array, angles: Array) -> Array
     found = np.where(((branches == modulo(rows.own, count)) & ~still)[..., None], rows.v, found)
     if still.any():
         made = whole_turns(module, rows, angles[:, still, None])
-        better = (branches[:, still] != 0) & same_pose(module, made, rows.v[still])
+        turns = (branches[:, still] != 0) & rows.axis[still].any(axis=-1)  # no axis is known if no row moves
+        better = turns & same_pose(module, made, rows.v[still])
         found[:, still] = np.where(better[..., None], made, found[:, still])
     if count:
         found[abs(angles) > module.singular_angles()[-1] - pi / 2 + 1e-9] = np.nan
@@ -139,7 +140,7 @@ def whole_turns(module: Any, rows: Rows, angle: Array) -> Array:
     if axis.shape[-1] == 6:
         shift = np.sum(module.pose(rows.v[rows.resting])[..., :3, 3] * axis[..., :3], axis=-1, keepdims=True)
         screw[..., 3:] += shift * axis[..., :3]
-    return np.asarray(module.from_exponential(screw.astype(rows.v.dtype)))
+    return np.asarray(module.from_exponential(screw))
 
 
 def same_pose(module: Any, one: Array, other: Array) -> Array:

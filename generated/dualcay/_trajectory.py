@@ -89,14 +89,17 @@ class Trajectory:
         return np.array(found, float)
 
     def vectors(self, t: Array) -> tuple[Array, Array, Array]:
-        """Return v (T, 6), poses (T, 4, 4) and branches (T,)."""
-        q = self.quaternions(t)
+        """Return v (T, 6), poses (T, 4, 4) and branches (T,), each the one that `shadow` takes from the principal v.
+
+        v has the direction of the quaternion's vector part, also at half a turn within rounding.
+        """
         changes = np.searchsorted(self.switches, t, side="right") - self.switched
-        other = q[:, 0] * np.where(changes % 2, -1, 1) < 0
-        module = self.problem.module
-        v = np.where(other[:, None], module.from_quaternion(q, -1), module.from_quaternion(q))
-        count = module.CHART.branches
-        return v, poses(q), -other.astype(int) % count if count else -other.astype(int)
+        q = self.quaternions(t) * np.where(changes % 2, -1, 1)[:, None]
+        module, near = self.problem.module, self.problem.module.from_quaternion(q)
+        beyond = np.sum(near[:, :3] * q[:, 1:4], axis=-1, keepdims=True) < 0
+        v = np.where(beyond, module.from_quaternion(q, -1), near)
+        branch, count = -np.any(module.principal(v) != v, axis=-1).astype(int), module.CHART.branches
+        return v, poses(q), branch % count if count else branch
 
     def derivative(self, t: Array, order: int) -> Array:
         """Return v or its first or second time derivative (T, 6)."""

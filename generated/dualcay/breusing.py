@@ -47,21 +47,16 @@ def _c_to_over(m: Any, x: Any) -> Result:
     return c, size, rootc, cc, over
 
 
-# steps that 3 programs share
-def _above_to_hy(m: Any, c: Any, x: Any, size: Any, w: Any, over: Any, cc: Any) -> Result:
+# steps that 4 programs share
+def _above_to_h(m: Any, c: Any, x: Any, size: Any, w: Any, over: Any) -> Result:
     above = c - x
     s = above / size
     w_by_2 = 2 * w
     f = s * w_by_2
     g = 8 * (c / (size * size))
-    h = c * w_by_2 * (2 + over)
-    gy = f * h - g * g
-    decline = 2 * (c * over)
-    share = 4 * (cc * over)
-    weight = 3 + 2 * cc
-    hgrowth = share - 5 - 8 * (cc / weight)
-    hy = h * decline * hgrowth / 2
-    return above, f, g, h, gy, decline, share, weight, hgrowth, hy
+    thickness = 2 + over
+    h = c * w_by_2 * thickness
+    return above, f, g, h
 
 
 # unit quaternion q = s + w v; slopes sy = 2 ds/dx, wy = 2 dw/dx
@@ -72,7 +67,8 @@ def _quaternion_scalars(m: Any, x: Any) -> Result:
     w = 2 * rootc / size
     rho = 4 * (w * over)
     sy = -(rho * w / 2)
-    h = c * (2 * w) * (2 + over)
+    thickness = 2 + over
+    h = c * (2 * w) * thickness
     ww = w * w
     wy = s * h / 2 - w * ww
     return s, w, sy, wy
@@ -82,13 +78,8 @@ def _quaternion_scalars(m: Any, x: Any) -> Result:
 def _pose_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     x = v11 + v22 + v33
     c, size, rootc, _, over = _c_to_over(m, x)
-    above = c - x
-    s = above / size
     w = 2 * rootc / size
-    w_by_2 = 2 * w
-    f = s * w_by_2
-    g = 8 * (c / (size * size))
-    h = c * w_by_2 * (2 + over)
+    _, f, g, h = _above_to_h(m, c, x, size, w, over)
     return f, g, h
 
 
@@ -97,9 +88,15 @@ def _tangent_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     x = v11 + v22 + v33
     c, size, rootc, cc, over = _c_to_over(m, x)
     w = 2 * rootc / size
-    _, f, g, h, gy, _, _, _, _, hy = _above_to_hy(m, c, x, size, w, over, cc)
+    _, f, g, h = _above_to_h(m, c, x, size, w, over)
     rho = 4 * (w * over)
     fy = h - rho * g
+    gy = f * h - g * g
+    decline = 2 * (c * over)
+    share = 4 * (cc * over)
+    weight = 3 + 2 * cc
+    hgrowth = share - 5 - 8 * (cc / weight)
+    hy = h * decline * hgrowth / 2
     return f, g, h, fy, gy, hy
 
 
@@ -108,9 +105,15 @@ def _tangent_dot_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     x = v11 + v22 + v33
     c, size, rootc, cc, over = _c_to_over(m, x)
     w = 2 * rootc / size
-    _, f, g, h, gy, decline, share, weight, hgrowth, hy = _above_to_hy(m, c, x, size, w, over, cc)
+    _, f, g, h = _above_to_h(m, c, x, size, w, over)
     rho = 4 * (w * over)
     fy = h - rho * g
+    gy = f * h - g * g
+    decline = 2 * (c * over)
+    share = 4 * (cc * over)
+    weight = 3 + 2 * cc
+    hgrowth = share - 5 - 8 * (cc / weight)
+    hy = h * decline * hgrowth / 2
     rhogrowth = share - 3
     rhoy = rho * decline * rhogrowth / 2
     fyy = hy - rhoy * g - rho * gy
@@ -153,9 +156,9 @@ def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     c, size, rootc, _, over = _c_to_over(m, x)
     hi = 3 / (4 * rootc)
     w = 2 * rootc / size
-    h = c * (2 * w) * (2 + over)
-    g = 8 * (c / (size * size))
-    fiy = -(h / g)
+    ratio = c / w
+    thickness = 2 + over
+    fiy = -(ratio * thickness)
     decline = 2 * (c * over)
     hiy = hi * decline / 2
     return fe, hi, fiy, hiy
@@ -169,9 +172,9 @@ def _tangent_inv_scalars(m: Any, x: Any) -> Result:
     fi = above / rootc_by_2
     hi = 3 / (4 * rootc)
     w = rootc_by_2 / size
-    h = c * (2 * w) * (2 + over)
-    g = 8 * (c / (size * size))
-    fiy = -(h / g)
+    ratio = c / w
+    thickness = 2 + over
+    fiy = -(ratio * thickness)
     decline = 2 * (c * over)
     hiy = hi * decline / 2
     return fi, hi, fiy, hiy
@@ -180,14 +183,18 @@ def _tangent_inv_scalars(m: Any, x: Any) -> Result:
 # fi, hi of T^-1 with slopes fiy, hiy and second slopes fiyy, hiyy
 def _tangent_inv_dot_scalars(m: Any, x: Any) -> Result:
     c, size, rootc, cc, over = _c_to_over(m, x)
+    above = c - x
     rootc_by_2 = 2 * rootc
+    fi = above / rootc_by_2
     hi = 3 / (4 * rootc)
     w = rootc_by_2 / size
-    above, _, g, h, gy, decline, share, _, _, hy = _above_to_hy(m, c, x, size, w, over, cc)
-    fi = above / rootc_by_2
-    fiy = -(h / g)
+    ratio = c / w
+    thickness = 2 + over
+    fiy = -(ratio * thickness)
+    decline = 2 * (c * over)
     hiy = hi * decline / 2
-    fiyy = -((hy + fiy * gy) / g)
+    share = 4 * (cc * over)
+    fiyy = -(ratio * decline * (thickness + over * share) / 2)
     decliney = decline * decline * (share / 2 - 1)
     hiyy = (hiy * decline + hi * decliney) / 2
     return fi, hi, fiy, hiy, fiyy, hiyy
@@ -196,14 +203,9 @@ def _tangent_inv_dot_scalars(m: Any, x: Any) -> Result:
 # a + b v = size q for the unit quaternion q, size > 0, and f, g, h of R and T
 def _ray(m: Any, x: Any) -> Result:
     c, size, rootc, _, over = _c_to_over(m, x)
-    above = c - x
     b = 2 * rootc
-    s = above / size
     w = b / size
-    w_by_2 = 2 * w
-    f = s * w_by_2
-    g = 8 * (c / (size * size))
-    h = c * w_by_2 * (2 + over)
+    above, f, g, h = _above_to_h(m, c, x, size, w, over)
     return above, b, size, f, g, h
 
 
@@ -365,7 +367,7 @@ CHART = Chart(
         _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="267d9d379c62c10f",
+    programs="2a1234f597b34fcd",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -202,7 +202,7 @@ CHART = Chart(
         _unfolded, _reached, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="c459c4bb4612901b",
+    programs="17ef8f29b4ccb232",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -270,7 +270,7 @@ CHART = Chart(
         _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="88f2bb681d11cf2b",
+    programs="537edba82c83d532",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -310,7 +310,7 @@ CHART = Chart(
         _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="7484b73d7bf1fe56",
+    programs="d26876ee43ad598f",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -331,7 +331,7 @@ CHART = Chart(
         _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="8528d59dd962705f",
+    programs="e060c35edc23ae30",
 )
 
 KERNELS = PoseKernels(CHART)

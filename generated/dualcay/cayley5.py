@@ -333,7 +333,7 @@ CHART = Chart(
         _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="657bddce8ee645f3",
+    programs="ac7d27751661fe21",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -356,7 +356,7 @@ CHART = Chart(
         _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="80ca370a20bf4236",
+    programs="0ffe863a00ddba4f",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -358,7 +358,7 @@ CHART = Chart(
         _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="1854cf83d636cc6c",
+    programs="1f21d0194ecef6e6",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -208,8 +208,8 @@ def _gain(m: Any, e0: Any, e1: Any, e2: Any, e3: Any, size: Any) -> Result:
 # factor that takes a vector of square x back to the edge; 1 within the chart
 def _inside(m: Any, x: Any) -> Result:
     over = x - 1
-    shrunk = m.where(over < 0, 1, 1 / (1 + 4 * over))
-    return shrunk,
+    excess = over + m.abs(over)
+    return 1 / (1 + 2 * excess),
 
 
 # sign of the principal axis along v, from the length r of v and y, the product of v and v°
@@ -328,7 +328,7 @@ CHART = Chart(
         _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="bc57cc04ef1a83cd",
+    programs="9a030b6c2719a88f",
     ends=True,
 )
 

@@ -167,16 +167,16 @@ def _gain(m: Any, e0: Any, e1: Any, e2: Any, e3: Any, size: Any) -> Result:
     e3_gain = e3 * gain
     x = e1_gain * e1_gain + e2_gain * e2_gain + e3_gain * e3_gain
     over = x - 1
-    shrunk = m.where(over < 0, 1, 1 / (1 + 4 * over))
-    kept = gain * shrunk
+    excess = over + m.abs(over)
+    kept = gain * (1 / (1 + 2 * excess))
     return kept,
 
 
 # factor that takes a vector of square x back to the edge; 1 within the chart
 def _inside(m: Any, x: Any) -> Result:
     over = x - 1
-    shrunk = m.where(over < 0, 1, 1 / (1 + 4 * over))
-    return shrunk,
+    excess = over + m.abs(over)
+    return 1 / (1 + 2 * excess),
 
 
 # principal angle, d alpha/d r and sign of the axis, from x, y and the length r of v
@@ -252,7 +252,7 @@ CHART = Chart(
         _unfolded, _reached, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="834eadee2ed77a60",
+    programs="800b588f65a18e4a",
     ends=True,
 )
 

@@ -33,10 +33,7 @@ from .cayley1 import CHART as BASE
 
 ORDER = 1
 
-
-CHART = multiple(
-    BASE, __name__, 2, 1, constant=('pose_scalars', 'tangent_scalars', 'tangent_dot_scalars', 'inverse_scalars', 'inverse_at', 'tangent_inv_at', 'tangent_inv_scalars', 'tangent_inv_dot_scalars', 'ray', 'inside'), programs="58b9e7da8e2beabb"
-)
+CHART = multiple(BASE, __name__, 2, 1, constant=('pose_scalars', 'tangent_scalars', 'tangent_dot_scalars', 'inverse_scalars', 'inverse_at', 'tangent_inv_at', 'tangent_inv_scalars', 'tangent_inv_dot_scalars', 'ray', 'inside'), programs="fb5f74440149bef5")
 
 KERNELS = PoseKernels(CHART)
 # the functions of this module are the methods of KERNELS

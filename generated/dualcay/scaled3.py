@@ -33,10 +33,7 @@ from .cayley3 import CHART as BASE
 
 ORDER = 3
 
-
-CHART = multiple(
-    BASE, __name__, 6, 1, constant=('inside',), programs="05101fb8c95be0b6"
-)
+CHART = multiple(BASE, __name__, 6, 1, constant=('inside',), programs="a6ee8c1d2b4f83c2")
 
 KERNELS = PoseKernels(CHART)
 # the functions of this module are the methods of KERNELS

@@ -33,10 +33,7 @@ from .cayley4 import CHART as BASE
 
 ORDER = 4
 
-
-CHART = multiple(
-    BASE, __name__, 8, 1, constant=('inside',), programs="60acfd86e1e5ad5e"
-)
+CHART = multiple(BASE, __name__, 8, 1, constant=('inside',), programs="c8ef3f73905a465d")
 
 KERNELS = PoseKernels(CHART)
 # the functions of this module are the methods of KERNELS

@@ -33,10 +33,7 @@ from .cayley5 import CHART as BASE
 
 ORDER = 5
 
-
-CHART = multiple(
-    BASE, __name__, 10, 1, constant=('inside',), programs="f23474d6ae525c1a"
-)
+CHART = multiple(BASE, __name__, 10, 1, constant=('inside',), programs="4ef6b4450a9cc802")
 
 KERNELS = PoseKernels(CHART)
 # the functions of this module are the methods of KERNELS

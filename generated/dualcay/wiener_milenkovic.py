@@ -33,10 +33,7 @@ from .cayley2 import CHART as BASE
 
 ORDER = 2
 
-
-CHART = multiple(
-    BASE, __name__, 4, 1, constant=('inverse_scalars', 'inverse_at', 'tangent_inv_at', 'tangent_inv_scalars', 'tangent_inv_dot_scalars', 'ray', 'inside'), programs="6a1130eb6d408153"
-)
+CHART = multiple(BASE, __name__, 4, 1, constant=('inverse_scalars', 'inverse_at', 'tangent_inv_at', 'tangent_inv_scalars', 'tangent_inv_dot_scalars', 'ray', 'inside'), programs="33ebf67e268a14a7")
 
 KERNELS = PoseKernels(CHART)
 # the functions of this module are the methods of KERNELS

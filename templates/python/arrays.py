@@ -13,6 +13,11 @@ def as_array(name: str, value: ArrayLike, part: Shape, axis: int, real: bool = F
     return array
 
 
+def common_type(values: Sequence[ArrayLike], arrays: Sequence[Array]) -> np.dtype[Any]:
+    """Return the dtype of a result; a plain number, such as a time, takes the dtype of the other arguments."""
+    return np.result_type(*(v if type(v) in (int, float) else a for v, a in zip(values, arrays, strict=True)))
+
+
 def batch_shape(arguments: Sequence[tuple[str, Shape]], arrays: Sequence[Array], axis: int) -> Shape:
     """Return the broadcast shape of the batches."""
     parts = [len(part) for _, part in arguments]

@@ -144,6 +144,28 @@ def test_twists_of_gtsam_have_the_order_of_this_package() -> None:
     assert_same(gtsam.Pose3(T).AdjointMap(), cayley2.adjoint(V))
 
 
+@pytest.mark.parametrize("name", ["pose3example.txt", "pose3example-offdiagonal.txt"])
+def test_cost_of_a_pose_graph_is_that_of_gtsam(name: str) -> None:
+    """Read a file of GTSAM's own in the format of g2o, as docs/howto/pose_graph.md does, and compare half r·Ω r."""
+    gtsam = pytest.importorskip("gtsam", reason="GTSAM is not installed")
+    path, order = gtsam.findExampleDataFile(name), [3, 4, 5, 0, 1, 2]
+    vertices, cost = {}, 0.0
+    for kind, *fields in map(str.split, Path(path).read_text(encoding="utf-8").splitlines()):
+        ends = 1 + kind.startswith("EDGE")
+        numbers = np.array(fields[ends:], float)
+        pose = interop.from_ros(cayley2, numbers[:3], numbers[3:7])
+        if ends == 1:
+            vertices[fields[0]] = pose
+            continue
+        omega = np.zeros((6, 6))
+        omega[np.triu_indices(6)] = numbers[7:]
+        omega = (omega + np.triu(omega, 1).T)[np.ix_(order, order)]
+        r = cayley2.body_local(cayley2.between(vertices[fields[1]], vertices[fields[0]]), pose)
+        cost += r @ omega @ r / 2
+    graph, values = gtsam.readG2o(path, True)
+    assert cost == pytest.approx(graph.error(values), rel=1e-9)
+
+
 def test_twists_of_manif() -> None:
     manif = pytest.importorskip("manifpy", reason="manif is not installed")
     pose = manif.SE3(np.concatenate(interop.to_ros(cayley2, V)))

@@ -15,7 +15,7 @@ import pytest
 
 import dualcay
 from dualcay import MotionError, _stepping, cayley2, exponential, lambert, propagate
-from tests.support import motions
+from tests.support import motions, sampling
 
 EDGED = {"orthographic": 1.0, "lambert": 1.0, "sine3": 1.0, "sine4": 1.0}
 """Largest |v| by chart."""
@@ -52,6 +52,27 @@ def test_a_motion_that_overflows_or_does_not_end_says_when(frame: str, method: s
         propagate(lambert, [0.3, -0.4, 0, *[8.5e307] * 3], OMEGA, [0, 20], frame=frame, method=method)
     with pytest.raises(MotionError, match=r"the rate of v is not finite at t = 0$"):
         propagate(cayley2, [0.3, -0.4, 0, 1, 2, 3], lambda t: [1.7e308] * 6, [0, 1], method="chart")
+
+
+SIDED = ("cayley2", "cayley3", "cayley8", "exponential", "lambert", "breusing", "sine3", "wiener_milenkovic")
+
+
+@pytest.mark.parametrize(("frame", "method"), FORMS)
+@pytest.mark.parametrize("name", SIDED)
+def test_a_motion_from_half_a_turn_keeps_its_side_and_has_the_branches_of_shadow(
+    name: str, frame: str, method: str
+) -> None:
+    """Start with v and with poses whose scalar part is 0 within rounding; the turn grows, shrinks, or changes axis."""
+    module, matrix = getattr(dualcay, name), np.eye(4)
+    for place, u in enumerate(sampling.unit_vectors(sampling.generator("sides", name), (8,))):
+        matrix[:3] = np.c_[2 * np.outer(u, u) - np.eye(3), [1.0, -2, 3]]
+        v0 = module.from_pose(matrix) if place % 2 else module.from_quaternion([0, *u, 0, *np.cross(u, [1.0, 2, 3])])
+        v0[:3] *= 1 + (place - 4) * 2.0**-52
+        motion = propagate(module, v0, [*(0.3 * u - 0.1), *u], [0, 1e-9, 2, 4], frame=frame, method=method)
+        np.testing.assert_allclose(motion.v[0], v0, rtol=0, atol=1e-13 * (1 + v0 @ v0))
+        back = [module.shadow(module.principal(v), int(k)) for v, k in zip(motion.v, motion.branch, strict=True)]
+        np.testing.assert_allclose(back, motion.v, rtol=0, atol=1e-10 * (1 + abs(motion.v).max() ** 2))
+        np.testing.assert_allclose(module.pose(motion.v), motion.pose, rtol=0, atol=1e-9)
 
 
 def test_components_are_finite_one_by_one() -> None:

@@ -25,7 +25,14 @@ SAMPLE = 44
 OUTSIDE_SAMPLE = 6
 """Share of functions that are tried with vectors outside a chart, which need no oracle."""
 
-sample = pytest.mark.parametrize("share", [pytest.param(1, marks=pytest.mark.thorough), SAMPLE], ids=["all", "sample"])
+THOROUGH = 4
+"""Share of functions that a chart is tried with in one regime by the thorough tests."""
+
+
+def shares(most: int) -> pytest.MarkDecorator:
+    """Return the parameter `share`: the sample by default, more in the thorough tests."""
+    found = [pytest.param(most, marks=pytest.mark.thorough, id="most"), pytest.param(SAMPLE, id="sample")]
+    return pytest.mark.parametrize("share", found)
 
 
 @pytest.fixture(autouse=True)
@@ -53,7 +60,7 @@ def wrong(calls: Iterator[Call]) -> list[str]:
     return [reason for reason in (call.judged() for call in calls) if reason]
 
 
-@sample
+@shares(THOROUGH)
 @pytest.mark.parametrize("table", ["", "rotation"])
 @pytest.mark.parametrize("name", CHARTS)
 def test_every_function_is_right_or_not_finite(name: str, table: str, share: int) -> None:
@@ -63,7 +70,7 @@ def test_every_function_is_right_or_not_finite(name: str, table: str, share: int
         assert wrong(chosen(chart, regime, place, share, dtype)) == [], regime
 
 
-@sample
+@shares(1)
 @pytest.mark.parametrize("name", CHARTS)
 def test_inverse_maps_are_right_or_not_finite(name: str, share: int) -> None:
     """Half turns and poses of other norms are right, and what is no pose gives no finite vector."""
@@ -79,7 +86,7 @@ def test_inverse_maps_are_right_or_not_finite(name: str, share: int) -> None:
 @pytest.mark.parametrize("name", CHARTS)
 def test_every_function_in_single_precision(name: str) -> None:
     for place, regime in enumerate(REGIMES, CHARTS.index(name)):
-        assert wrong(chosen(subject(name), regime, place, 3, np.float32)) == [], regime
+        assert wrong(chosen(subject(name), regime, place, 3 * THOROUGH, np.float32)) == [], regime
 
 
 @pytest.mark.parametrize("table", ["", "rotation"])
@@ -150,7 +157,7 @@ CONTROLS: dict[str, tuple[str, str, Callable[[Subject, np.ndarray], Any]]] = {
 def test_a_broken_edge_is_seen(fault: str) -> None:
     """Control: each fault of a function is refused by the law."""
     function, regime, broken = CONTROLS[fault]
-    chart = subject("lambert")
+    chart = subject("lambert", digits=regimes.DIGITS.get(regime, families.DIGITS))
     kept = {name: getattr(chart.module, name) for name in ("CHART", "__name__", "identity", "singular_angles")}
     known: Any = SimpleNamespace(**kept, **{function: lambda v: broken(chart, v)})
     assert any(call.judged() for call in regimes.calls(Subject(known, chart.oracle), function, regime))

@@ -10,7 +10,7 @@ import pytest
 from scipy.integrate import solve_ivp
 
 import dualcay
-from dualcay import switch_event
+from dualcay import _switching, switch_event
 from tests.support import examples
 
 NAMES = ("cayley2", "cayley3", "cayley5", "exponential", "sine4", "scaled3", "wiener_milenkovic")
@@ -62,6 +62,7 @@ def test_arguments_that_need_no_switch_are_returned() -> None:
         v[0] = np.nan
         for got, given in zip(module.switch(v, np.ones_like(v)), (v, np.where(np.isnan(v), v, 1)), strict=True):
             np.testing.assert_array_equal(got, given)
+    assert np.isnan(dualcay.cayley1.switch(np.full(6, np.inf), np.ones(6))[1]).all()  # a chart with one branch too
     with pytest.raises(ValueError, match=r"covariance must have shape \(..., 6, 6\), got \(6,\)"):
         dualcay.cayley2.switch(np.zeros(6), covariance=np.zeros(6))
 
@@ -134,7 +135,8 @@ def test_the_event_of_a_controller_stops_at_half_a_turn_and_refuses_a_start_beyo
     start = mrp.from_angle_axis(5.0, [1.0, 0, 0])
     with pytest.raises(ValueError, match=r"v starts beyond the angle 4.71239 of the event, at t = 0: switch it first"):
         solve_ivp(lambda t, y: mrp.rate(y, omega), (0, 9.0), start, events=switch_event(mrp))
-    for angle in (3.0, 6.3):
+    assert switch_event(mrp)(0.0, mrp.from_exponential([_switching.switch_angle(mrp), 0, 0])) == 0  # not beyond
+    for angle in (3.0, 2 * np.pi, 6.3):
         with pytest.raises(ValueError, match=r"angle must be from π to below 6\.28319"):
             switch_event(mrp, angle=angle)
 

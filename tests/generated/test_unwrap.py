@@ -133,7 +133,12 @@ def test_rows_at_whole_turns_and_gaps_keep_the_axis_and_the_branch_of_their_neig
         np.testing.assert_allclose(np.delete(found, 5, axis=0), np.delete(wanted[:, :n], 5, axis=0), rtol=1e-12)
         np.testing.assert_array_equal(found[5], given[5])
         assert branch[[0, 1, 3, 4, 5, 8, 9, 10, 12]].tolist() == [0, 1, -1, -1, 0, 1, 1, -2, 2]
-    assert not np.any(unwrap(dualcay.rotation.exponential, np.zeros((4, 3)), branch=True)[1])
+    still = np.zeros((4, 3))
+    still[2] = [1e-16, -2e-16, 0]
+    for rotation in (dualcay.rotation.exponential, dualcay.rotation.cayley3):  # no row tells an axis
+        found, branch = unwrap(rotation, still, branch=True)
+        assert np.array_equal(found, still)
+        assert not branch.any()
     a, b = np.array([[0, 0, 0.1]]), np.array([[0, 0, 0.2]])  # between them a whole turn about another axis
     found = unwrap(dualcay.rotation.exponential, np.concatenate([a, [[2 * np.pi, 0, 0]], b]))
     np.testing.assert_allclose(found[1], [0, 0, 0], atol=1e-15)

@@ -188,6 +188,21 @@ class CalculusTrial(Trial):
     def between_jacobians(self) -> Iterator[Result]:
         return self._jacobians_of_two("between", self.between_by)
 
+    def _local_jacobians(self, name: str) -> Iterator[Result]:
+        """Yield both Jacobians of a step δ, products of T and dexp(±δ)⁻¹; the slope of dexp is below 1."""
+        for v1 in self.partners():
+            found = getattr(self.module, f"{name}_jacobians")(self.v, v1)
+            for a, b, *got in zip(self.v, v1, *found, strict=True):
+                delta, exact = (getattr(self.oracle, of)(a, b) for of in (name, f"{name}_jacobians"))
+                by_a, by_b = getattr(self, f"{name}_by")(a, b, delta)
+                back = errors.majorant(inverse(self._step(delta)[1]))
+                back = back + back * back * self._moved(delta, (by_a, a), (by_b, b))
+                sizes = (back * errors.scales(self.order, v).tangent for v in (a, b))
+                yield from self._both(got, exact, tuple(sizes), (a, b))
+
+    local_jacobians = partialmethod(_local_jacobians, "local")
+    body_local_jacobians = partialmethod(_local_jacobians, "body_local")
+
     def shadow_jacobian(self) -> Iterator[Result]:
         """Yield T(v_k)⁻¹ T(v), which is exactly I on branch 0."""
         for branch in self.branches():
@@ -274,7 +289,8 @@ CALCULUS = (
     "adjoint", "cotangent", "body_cotangent", "body_tangent_dot", "body_twist_jacobian", "body_cotangent_jacobian",
     "angle", "to_exponential", "from_exponential", "between", "local", "body_local", "retract", "body_retract",
     "interpolate", "compose_jacobians", "between_jacobians", "shadow_jacobian", "retract_jacobians",
-    "body_retract_jacobians", "transform_point_jacobians", "transform_line_jacobians", "transition", "body_transition",
+    "body_retract_jacobians", "local_jacobians", "body_local_jacobians", "transform_point_jacobians",
+    "transform_line_jacobians", "transition", "body_transition",
 )  # fmt: skip
 """Names of functions added to `Trial`."""
 

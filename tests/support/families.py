@@ -81,7 +81,8 @@ DIGITS = 60
 GATE = 8  # largest allowed error, in eps of size and condition of a result; `make accuracy` found half of it
 VECTORS = ("v0", "v1", "v2", "delta")  # names of further arguments that are vectors of the chart, or steps
 BY_STEPS = ("retract_jacobians", "body_retract_jacobians")  # functions with products of operators as results
-BY_FACTORS = ("compose_jacobians", "between_jacobians", *BY_STEPS)
+BY_ENDS = ("local_jacobians", "body_local_jacobians")
+BY_FACTORS = ("compose_jacobians", "between_jacobians", *BY_STEPS, *BY_ENDS)
 STEPS = ("retract", "body_retract", *BY_STEPS)
 
 
@@ -143,8 +144,8 @@ def scale_of_factors(oracle: Oracle, name: str, one: np.ndarray, other: np.ndarr
     Each factor is computed separately, with an error relative to its norm. At whole turns, and at an edge with φ′ = 0,
     a factor is nearly singular, but the product is near I. Changes of the arguments do not show this error.
     """
-    result = getattr(oracle, name.removesuffix("_jacobians"))(one, other)
-    back = errors.majorant(inverse(oracle.operator_by_spin(oracle.unpack(result))))
+    result = oracle.unpack(getattr(oracle, name.removesuffix("_jacobians"))(one, other))
+    back = errors.majorant(inverse((oracle.step_operator if name in BY_ENDS else oracle.operator_by_spin)(result)))
     first, second = oracle.unpack(one), oracle.unpack(other)
     moved = errors.majorant(oracle.operator_by_spin(first))
     if name in BY_STEPS:
@@ -155,6 +156,7 @@ def scale_of_factors(oracle: Oracle, name: str, one: np.ndarray, other: np.ndarr
     turned = errors.size(oracle.tensor(one))
     by_second = name in ("retract_jacobians", "between_jacobians")  # R of the second argument, else of the first
     products = (back * steps * moved, back * moving) if by_second else (back * moved, back * turned * moving)
+    products = (back * moved, back * moving) if name in BY_ENDS else products
     return [float(part) for product in products for part in (product.re, product.du)]
 
 

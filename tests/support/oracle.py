@@ -31,6 +31,11 @@ def applied_jacobian(slopes: Any, w: Any) -> np.ndarray:
     return matrix6(pack(transpose([matvec(slope, w) for slope in slopes])))
 
 
+def turned(q: Any) -> Any:
+    """Return the tensor of a unit quaternion, whose columns are the turned axes."""
+    return transpose([hamilton(hamilton(q, (0, *e)), conjugate(q))[1:] for e in E])
+
+
 @functools.cache
 def oracle_of(order: int, digits: int = DIGITS) -> Oracle:
     """Return the oracle of an order, shared by all tests because it remembers results."""
@@ -133,9 +138,16 @@ class Oracle(Maps):
         if body:
             by_delta = matmul(self.rotation(here), by_delta)
         else:
-            turned = transpose([hamilton(hamilton(q, (0, *e)), conjugate(q))[1:] for e in E])
-            by_v = matmul(turned, by_v)
+            by_v = matmul(turned(q), by_v)
         return matrix6(pack(matmul(back, by_v))), matrix6(pack(matmul(back, by_delta)))
+
+    def local_jacobians(self, v2: Any, v1: Any, body: bool = False) -> tuple[np.ndarray, np.ndarray]:
+        """Solve dexp(δ) δ̇ = T(v2) v̇2 − exp(δ) T(v1) v̇1; in the body frame the right side is R(v1)ᵀ (ω2 − ω1)."""
+        delta, first = self.unpack((self.body_local if body else self.local)(v2, v1)), self.unpack(v1)
+        later, sooner = (self.operator_by_spin(self.unpack(v)) for v in (v2, v1))
+        back = inverse(self.step_operator(delta))
+        forth = matmul(back, transpose(self.rotation(first)) if body else turned(self.step(delta)))
+        return matrix6(pack(matmul(forth if body else back, later))), -matrix6(pack(matmul(forth, sooner)))
 
     def transform_point_jacobians(self, v: Any, r: Any) -> tuple[np.ndarray, np.ndarray]:
         """Differentiate Q r + vect(R° Qᵀ) by each component of v, and by r."""
@@ -163,6 +175,7 @@ class Oracle(Maps):
     body_cotangent = functools.partialmethod(cotangent, body=True)
     body_cotangent_jacobian = functools.partialmethod(cotangent_jacobian, body=True)
     body_retract_jacobians = functools.partialmethod(retract_jacobians, body=True)
+    body_local_jacobians = functools.partialmethod(local_jacobians, body=True)
 
 
 class SineOracle(Oracle):

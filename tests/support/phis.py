@@ -73,6 +73,9 @@ KINDS: tuple[Callable[[random.Random], str], ...] = (
     lambda d: f"alpha/sqrt(cos(alpha/{d.choice((4, 5, 6))})) + {_decimal(d, 0.1, 1)}*alpha",
     lambda d: f"sin(alpha/{d.randrange(2, 6)}) + {_decimal(d, 0.05, 0.4)}*sin({d.randrange(2, 5)}*alpha)/9",
     lambda d: f"alpha*sqrt(1 - alpha**2/{d.randrange(10, 300)})",
+    lambda d: f"{d.choice(('tan', 'sinh', 'atan'))}({d.choice(('sin', 'asinh', 'tanh'))}(alpha/{d.randrange(2, 7)}))",
+    lambda d: f"alpha + tanh({d.randrange(2, 30)}*alpha)/{d.randrange(2, 9)}",
+    lambda d: f"alpha*exp(-alpha**2/(2*{_beside_pi(d)}**2))",
 )
 """Forms of φ with random numbers."""
 

@@ -80,6 +80,9 @@ class Sine:
     edge = 3 * sympy.pi
     branches = 3
     remainder = 0.0
+    ends = True
+    steep = ()
+    range = sympy.Integer(1)
     singular_angles = (2 * sympy.pi, 3 * sympy.pi)
     cayley = None
     base, factor = None, Fraction(1)
@@ -137,6 +140,10 @@ class Sine:
         r, _ = _of_twice(m.name("t", m.tan(m.div(m.atan2(sine, cosine), 6))), m)
         gain = m.where(still, 1, r) / m.where(still, 3 * cosine, sine)
         return m.name("gain", m.where(negative, -1, 1) * gain)
+
+    def inside(self, x: Coefficient, m: Arithmetic) -> Coefficient:
+        over = m.name("over", x - 1)
+        return m.name("shrunk", m.where(m.less(over, 0), 1, m.div(1, 1 + 4 * over)))
 
     def back(self, x: Coefficient, fi: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
         return fi, self.scalars(x, m).hi

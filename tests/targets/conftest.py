@@ -12,6 +12,10 @@ import pytest
 
 from tests.support import packages
 
+ORDERS, FAMILIES = (1, 2, 3, 8), ("breusing", "exponential", "lambert", "orthographic", "sine3", "wiener_milenkovic")
+RULED = [*(f"cayley{n}" for n in ORDERS), *FAMILIES]
+"""Charts in the package whose rules of differentiation are tested."""
+
 
 @pytest.fixture(scope="session")
 def folder(shared: Callable[[str, Callable[[Path], object]], Path]) -> Callable[[str], Path]:
@@ -46,6 +50,15 @@ def package(folder: Callable[[str], Path], tmp_path_factory: pytest.TempPathFact
 def array_api(package: Callable[[str], str]) -> Callable[[int], ModuleType]:
     """Provide a function that returns the array-api module of an order."""
     return lambda order: importlib.import_module(f"{package('array-api')}.cayley{order}")
+
+
+@pytest.fixture(scope="session")
+def charts(shared: Callable[[str, Callable[[Path], object]], Path]) -> Iterator[Callable[[str], ModuleType]]:
+    """Provide a function that returns the array-api module of a chart, by its name after that of the package."""
+    folder = shared("rules", lambda place: packages.write(ORDERS, "array-api", place, FAMILIES))
+    with pytest.MonkeyPatch.context() as patch:
+        patch.syspath_prepend(str(folder.parent))
+        yield lambda name: importlib.import_module(f"{folder.name}.{name}")
 
 
 @pytest.fixture(scope="session")

@@ -7,13 +7,13 @@ import importlib
 import numpy as np
 import pytest
 
-from tests.support import packages, sampling
+from tests.support import sampling
 from tests.support.libraries import LIBRARIES, QUICKLY
+from tests.targets.conftest import RULED
 
 jax = pytest.importorskip("jax")
 
-FAMILIES = ("breusing", "exponential", "lambert", "orthographic", "sine3", "wiener_milenkovic")
-FURTHER = [f"cayley{n}" for n in (1, 2, 3, 8)] + [name for name in FAMILIES if name != "exponential"]
+FURTHER = [name for name in RULED if name != "exponential"]
 CHARTS = pytest.mark.parametrize(
     "chart", ["exponential", *(pytest.param(name, marks=pytest.mark.thorough) for name in FURTHER)]
 )
@@ -26,15 +26,6 @@ EPS = 2.0**-52
 @pytest.fixture(scope="module", autouse=True)
 def double_precision():
     LIBRARIES["jax"]()
-
-
-@pytest.fixture(scope="module")
-def charts(shared):
-    """Provide a function that returns the array-api module of a chart."""
-    folder = shared("rules", lambda place: packages.write((1, 2, 3, 8), "array-api", place, FAMILIES))
-    with pytest.MonkeyPatch.context() as patch:
-        patch.syspath_prepend(str(folder.parent))
-        yield lambda name: importlib.import_module(f"{folder.name}.{name}")
 
 
 def arguments():

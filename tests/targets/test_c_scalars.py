@@ -33,6 +33,7 @@ from derive.codegen.validation.expected_values import ALGEBRAIC, Formulas, evalu
 from derive.maps import Cayley, family
 from derive.maps.chart import Chart
 from derive.output import files
+from tests.support import jets
 from tests.support.packages import Otherwise
 from tests.support.residues import Degree, Lifting, Residue, degree_of
 
@@ -46,6 +47,9 @@ COMPILERS = [name for name in ("g++", "clang++") if shutil.which(name)] or ["g++
 STRICT = ("-std=c++11", "-O0", "-Wall", "-Wextra", "-Wshadow", "-pedantic", "-Werror", "-DDUALCAY_TEMPLATES")
 PRIMES = (2**61 - 1, *(sympy.nextprime(random.Random(k).randrange(2**60, 2**61 - 2**20)) for k in range(2)))
 POINTS = 2
+JACOBIAN_ROUNDING = 2e-11
+"""Tolerance for jets beside the largest entry of the Jacobian: the same at the edges, where conditions grow to 10⁴."""
+
 ROUNDING = 1e-12
 """Tolerance for jets: about 300 operations on numbers up to 10, times a condition number below 1000."""
 
@@ -144,6 +148,46 @@ def test_a_missing_overload_is_refused(tmp_path, headers):
     text = (wrong / "dualcay.h").read_text(encoding="utf-8")
     (wrong / "dualcay.h").write_text(re.sub(r".*dualcay_atan2\(const Real &y, int x\).*", "", text), encoding="utf-8")
     assert "dualcay_atan2" in compile_alone(wrong, Cayley(2), tmp_path, COMPILERS[0], "c++11", "Jet<6>")
+
+
+# --- derivatives by jets ----------------------------------------------------------------------------------------
+
+
+def by_jets(headers: Path, chart: Chart, tmp_path: Path, compiler: str, standard: str) -> dict[str, float]:
+    """Return the functions of a chart whose derivatives by jets are not their Jacobians, with the largest error."""
+    source = tmp_path / f"{chart.name}.cpp"
+    source.write_text(jets.program(chart), encoding="utf-8")
+    program = built(compiler, source, headers, tmp_path / chart.name, f"-std={standard}")
+    said = subprocess.run([str(program)], capture_output=True, text=True, check=True).stdout
+    return jets.wrong(chart, said, JACOBIAN_ROUNDING)
+
+
+@pytest.mark.parametrize("chart", [Cayley(2), OTHERS[0]], ids=lambda chart: chart.name)
+def test_derivatives_by_jets_are_the_jacobians(chart, headers, tmp_path):
+    assert by_jets(headers, chart, tmp_path, COMPILERS[0], "c++11") == {}
+
+
+@pytest.mark.thorough
+@pytest.mark.parametrize("compiler", COMPILERS)
+def test_derivatives_by_jets_are_the_jacobians_in_every_chart(compiler, tmp_path):
+    files.write(tmp_path / "all", print_package(committed(), Otherwise(C, companions=C.further)).texts)
+    for chart, standard in zip(committed(), itertools.cycle(("c++11", "c++17", "c++2b"))):
+        assert by_jets(tmp_path / "all", chart, tmp_path, compiler, standard) == {}, chart.name
+
+
+@pytest.mark.thorough
+def test_jets_show_an_altered_jacobian_and_lost_digits(headers, tmp_path, monkeypatch):
+    wrong = tmp_path / "headers"
+    shutil.copytree(headers, wrong)
+    text = (wrong / "geometry.h").read_text(encoding="utf-8")
+    start = text.index("DUALCAY_NAME(rate_jacobian_core)(")
+    place = text.index(" + ", text.index("const dualcay_real b1 =", start))
+    (wrong / "geometry.h").write_text(text[:place] + " - " + text[place + 3 :], encoding="utf-8")
+    found = by_jets(wrong, Cayley(3), tmp_path, COMPILERS[0], "c++11")
+    assert {name.partition(" ")[0] for name in found} == {"rate", "body_rate"}
+    monkeypatch.setattr(jets, "LOSING", {})
+    found = by_jets(headers, OTHERS[0], tmp_path, COMPILERS[0], "c++11")
+    assert {name.partition(" ")[0] for name in found} == {"compose", *(back for _, back, _ in jets.ROUND_TRIPS)}
 
 
 # --- prime fields -----------------------------------------------------------------------------------------------

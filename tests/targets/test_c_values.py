@@ -30,8 +30,8 @@ QUICKLY = (*FLAGS, "-O1")
 def both(request, folder, shared):
     """Return the C kernels and the NumPy kernels of an order, and the real type."""
     order, real = request.param
-    command = compiler()
-    built = shared(f"c-{order}-{real}", lambda place: compiled(command, folder("c"), order, real, place, flags=QUICKLY))
+    command, chart = compiler(), Cayley(order)
+    built = shared(f"c-{order}-{real}", lambda place: compiled(command, folder("c"), chart, real, place, flags=QUICKLY))
     return CForm(built / "library.so", real), importlib.import_module(f"dualcay.cayley{order}"), np.dtype(TYPES[real])
 
 
@@ -108,7 +108,7 @@ def test_both_layouts_agree_up_to_rounding(both, name, layout):
 def test_rotations_agree_up_to_rounding(folder, tmp_path):
     """Compare one order; rotations share the scalars of poses, compared above for every order."""
     command = compiler()
-    library = compiled(command, folder("c"), 3, "double", tmp_path, ROTATIONS, QUICKLY)
+    library = compiled(command, folder("c"), Cayley(3), "double", tmp_path, ROTATIONS, QUICKLY)
     form, module = CForm(library, "double", ROTATIONS), importlib.import_module("dualcay.rotation.cayley3")
     for name, row in ROTATIONS.public.items():
         arrays = arguments(name, module, np.dtype(np.float64), np.random.default_rng(13), ROTATIONS)

@@ -115,7 +115,7 @@ def from_quaternion(trace: Geometry) -> Results:
     square = trace.name("square", e.norm2())
     size, inverse = trace.name("size", trace.sqrt(square)), trace.name("inverse", trace.div(1, square))
     half = inverse * (e.scalar * eo.vector - eo.scalar * e.vector + e.vector.cross(eo.vector))
-    return trace.apply(vector_of, "v{}", e, size, trace.name("whole", size + inverse), half)
+    return trace.apply(vector_of, "v{}", e, size, trace.name("whole", square + inverse), half)
 
 
 def from_tensor(trace: Geometry) -> Results:

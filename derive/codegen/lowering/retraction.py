@@ -12,9 +12,10 @@ from .forward import tensor_at, translation
 from .groups import dual_product
 from .inverse import composed, displacement, dual_part, product
 from .kinematics import opposite, tangent, tangent_at, tangent_inverse_at
-from .point import Geometry, Point, Results
+from .point import Geometry, Point, Results, dual_tensor
 
 EXPONENTIAL = Exponential()
+SCALARS = ("s", "w", "f", "g", "h", "fy", "gy", "hy")
 
 
 def retracted(
@@ -35,7 +36,7 @@ def exponential_scalars(trace: Geometry) -> Results:
     """Scalars of exp(δ) at x = δ·δ: q̂ = s + w δ, f = 2 s w, g = 2 w², h, and slopes fy, gy, hy."""
     first, second, third = Point(trace, (*trace.real_vector("delta", "d"), 0, 0, 0)).squares
     at = EXPONENTIAL.scalars(trace.name("x", first + second + third), trace)
-    return {name: getattr(at, name) for name in ("s", "w", "f", "g", "h", "fy", "gy", "hy")}
+    return {name: getattr(at, name) for name in SCALARS}
 
 
 def nearest(trace: Geometry) -> Results:
@@ -134,3 +135,32 @@ def body_local(trace: Geometry) -> Results:
     """Step δ from v1 to v2 in the body, exp(δ) = R(v1)⁻¹ R(v2) = R(−v1) R(−v2)⁻¹."""
     v2, v1 = trace.components("v2", "b", 6), trace.components("v1", "a", 6)
     return trace.apply(local, "d{}", opposite(v1), opposite(v2))
+
+
+def local_jacobians(trace: Geometry) -> Results:
+    """Derivatives dexp(δ)⁻¹ T(v2) and −dexp(−δ)⁻¹ T(v1) of δ = local(v2, v1), by v2 and by v1."""
+    v2, v1 = trace.components("v2", "b", 6), trace.components("v1", "a", 6)
+    return trace.apply(step_jacobians, "J{}", trace.apply(local, "d{}", v2, v1), v2, v1)
+
+
+def body_local_jacobians(trace: Geometry) -> Results:
+    """Derivatives dexp(−δ)⁻¹ T(−v2) and −dexp(δ)⁻¹ T(−v1) of δ = body_local(v2, v1), by v2 and by v1."""
+    v2, v1 = trace.components("v2", "b", 6), trace.components("v1", "a", 6)
+    delta = trace.apply(body_local, "d{}", v2, v1)
+    return trace.apply(step_jacobians, "J{}", *map(opposite, (delta, v2, v1)))
+
+
+def step_jacobians(trace: Geometry) -> Results:
+    """Matrices dexp(δ)⁻¹ T(v2) and −dexp(−δ)⁻¹ T(v1), where dexp(−δ) is the transpose of dexp(δ)."""
+    # in space T(v2) v̇2 − exp(δ) T(v1) v̇1 = dexp(δ) δ̇; in the body with opposite signs of all vectors
+    delta = trace.components("delta", "d", 6)
+    v2, v1 = trace.components("v2", "b", 6), trace.components("v1", "a", 6)
+    at = EXPONENTIAL.scalars(0, trace)
+    vars(at).update(zip(SCALARS, trace.apply(exponential_scalars, "{}", delta[:3]), strict=True))
+    back = trace.apply(tangent_inverse_at, "back{}", at.fi, at.hi, at.fiy, at.hiy, delta)
+    turned = dual_tensor(opposite(back)).transpose
+    found: list[Number] = []
+    for place, D, v in (("2", back, v2), ("1", (*turned.re, *turned.du), v1)):
+        product = trace.apply(dual_product, f"D{place}{{}}", D, trace.apply(tangent, f"T{place}{{}}", v))
+        found += trace.apply(matrix6, f"by_v{place}{{}}", product)
+    return found

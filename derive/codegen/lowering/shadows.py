@@ -36,9 +36,14 @@ def principal(trace: Geometry) -> Results:
     """Principal vector of v, turned back as the table of returns says for x; a principal v is returned unchanged."""
     point = trace.point()
     trace.inputs(TABLE, ())  # only the chart knows its length
+    return returned(trace, point)[1]
+
+
+def returned(trace: Geometry, point: Point) -> tuple[Number, tuple[Number, ...]]:
+    """Return whether v is beyond the principal branch, and the principal vector."""
     beyond, place, cosine, sine = trace.ask("beyond", (point.x,))
     turned = _turned(trace, point, _axis_at(trace, point, place), cosine, sine)
-    return [trace.where(beyond, back, stay) for back, stay in zip(turned, point.components, strict=True)]
+    return beyond, tuple(trace.where(beyond, back, stay) for back, stay in zip(turned, point.components, strict=True))
 
 
 def shadow_jacobian(trace: Geometry) -> Results:
@@ -64,20 +69,20 @@ def shadow_jacobian(trace: Geometry) -> Results:
 def stay(trace: Geometry) -> Results:
     """Vector v itself, the shadow by no turn; NaN where q̂ is not finite."""
     point = trace.point()
-    one = point.name("one", 1 + _none(point))
+    one = point.name("one", 1 + none_of(point))
     return [one * c for c in point.components]
 
 
 def identity_jacobian(trace: Geometry) -> Results:
     """Identity I, the derivative of a shadow by no turn; NaN where v or q̂ is not finite."""
     point = trace.point()
-    none = point.name("none", sum((c - c for c in point.components), _none(point)))
+    none = point.name("none", sum((c - c for c in point.components), none_of(point)))
     one, zero = Dual(point.name("one", 1 + none), none), Dual(none, none)
     identity = Tensor(((one, zero, zero), (zero, one, zero), (zero, zero, one)))
     return entries6(trace, identity)
 
 
-def _none(point: Point) -> Number:
+def none_of(point: Point) -> Number:
     """Return 0; NaN where q̂ is not finite."""
     s, w, _, _ = point.scalars("quaternion_scalars")
     none: Number = (s - s) + (w - w)

@@ -5,6 +5,7 @@ Equal operations are recorded once, constants are folded, and operations that no
 
 from __future__ import annotations
 
+import keyword
 from collections import Counter
 from collections.abc import Collection, Iterable, Sequence
 from dataclasses import replace
@@ -13,6 +14,13 @@ from .program import Assignment, Call, Operand, Program, Statement
 from .value import Folding, Number, Value, label
 
 COMMUTATIVE = frozenset({"add", "mul", "eq", "and", "or"})
+OF_C = (
+    "asm auto bool case catch char const default delete do double enum explicit export extern false float friend goto "
+    "inline int long mutable namespace new operator or private protected public register restrict short signed sizeof "
+    "static struct switch template this throw true typedef typename union unsigned using virtual void volatile"
+)
+KEYWORDS = frozenset((*keyword.kwlist, *OF_C.split()))
+"""Keywords of Python, C and C++, which name no value: every program is printed in each language."""
 
 
 class Trace(Folding):
@@ -61,8 +69,8 @@ class Trace(Folding):
         self._rest = letter
 
     def _rename(self, value: Value, name: str) -> None:
-        if name in self._taken:
-            raise ValueError(f"the name {name!r} is already taken in this program")
+        if name in self._taken or name in KEYWORDS:
+            raise ValueError(f"the name {name!r} is already taken in this program, or is a keyword")
         value.name = name
         self._taken.add(name)
 

@@ -19,12 +19,12 @@ from ...maps.chart import Chart
 from ..lowered import ChartPrograms, geometry, printed_geometry
 from ..lowering.scalar_programs import SCALARS, table_names
 from ..package import Data, Facts, Target, cited
-from ..programs.program import Program
+from ..programs.program import Assignment, Program
 from ..rows import Array, Function, Table, inside
 from ..signatures import POSES, ROTATIONS
 from ..validation import c_text, compiled
 from ..validation.calls import require_calls
-from ..validation.float_cases import FloatCase, cases
+from ..validation.float_cases import FloatCase, cases, composed
 from . import c99
 
 GEOMETRY = "geometry.h"
@@ -34,9 +34,13 @@ LEVELS = {"abs": 1, "sqrt": 1, "tan": 2, "atan2": 2, "expm1": 2, "log1p": 2}
 NAMES = {"R": "tensor", "T": "pose"}
 """Replacements of array names in capital letters, which may collide with macros of other libraries."""
 
+_SOME = (Assignment("place", "add", (1, "x"), False),)  # a number with a root
 IDLE: Mapping[str, Program] = {
-    name: Program(name, tuple((a, (a,)) for a in SCALARS[name].arguments if a != "table"), (), outputs)
-    for name, outputs in (("beyond", (0, 1, 1, 0)), ("direction", (1,)), ("turned", (0, 0, 0)), ("rate_scalars", (1,)))
+    name: Program(name, tuple((a, (a,)) for a in SCALARS[name].arguments if a != "table"), statements, outputs)
+    for name, statements, outputs in (
+        ("beyond", _SOME, (0, "place", 1, 0)), ("direction", (), (1,)),
+        ("turned", (), (0, 0, 0)), ("rate_scalars", (), (1,)),
+    )
 }
 """Placeholders of scalar programs that geometry names but some charts never call."""
 
@@ -46,7 +50,7 @@ GATE = 8  # largest error in a differential test, in machine epsilons times the 
 def interface(row: Function, table: Table) -> Data:
     """Return the parameters of both forms of a function, and the arguments that they pass to its core."""
     given, made = ([a.called(NAMES.get(a.name, a.name)) for a in arrays] for arrays in (row.arguments, row.results))
-    numbers = next((names for argument, names in geometry(table)[row.kernel].inputs if argument == c99.TABLE), ())
+    numbers = next((names for argument, names in programs(table)[row.kernel].inputs if argument == c99.TABLE), ())
     constants = [f"DUALCAY_NUMBER({c})" if "." in c else c99.real(c) for c in row.constants] or numbers
     branch = ["int branch"] if row.branch else []
 
@@ -66,6 +70,11 @@ def interface(row: Function, table: Table) -> Data:
     }
 
 
+def programs(table: Table) -> Mapping[str, Program]:
+    """Return the geometry programs of a table in print order; functions that Python composes follow."""
+    return {**printed_geometry(table), **{name: row.traced() for name, row in table.composed.items()}}
+
+
 def level(program: Program) -> int:
     """Return a program's level of ``math.h``, its scalar programs left out."""
     own = (LEVELS.get(op, 0) for op in program.operations)
@@ -75,7 +84,7 @@ def level(program: Program) -> int:
 def levels(chart: ChartPrograms) -> dict[str, int]:
     """Return the level of ``math.h`` that every geometry program of a chart needs, including its scalars."""
     found: dict[str, int] = {}
-    for name, program in printed_geometry(chart.table).items():
+    for name, program in programs(chart.table).items():
         scalars = (chart.scalars[call.function] for call in program.calls if call.function in chart.scalars)
         called = (found[other.name] for other in program.called)
         found[name] = max((level(program), *map(level, scalars), *called))
@@ -98,8 +107,8 @@ def shared_geometry(table: Table) -> Data:
     return {
         "equations": {name: cited(found) for name, found in EQUATIONS.items()},
         "copy": c99.core(copy, [v.called("to")], {}),
-        "cores": [c99.core(program, _made(program, table), {}) for program in printed_geometry(table).values()],
-        "functions": {name: interface(row, table) for name, row in table.public.items()},
+        "cores": [c99.core(program, _made(program, table), {}) for program in programs(table).values()],
+        "functions": {name: interface(row, table) for name, row in {**table.public, **table.composed}.items()},
         "poses": table is POSES,
     }
 
@@ -108,7 +117,8 @@ def _made(program: Program, table: Table) -> tuple[Array, ...]:
     """Return the arrays of a geometry program's results: one for each result of a function, or one list."""
     count = len(program.outputs)
     made = (Array("made", (count,), (0,) * count),)
-    return table.kernels[program.name].results if program.name in table.kernels else made
+    row = {**table.kernels, **table.composed}.get(program.name)
+    return row.results if row else made
 
 
 def own_geometry(facts: Facts, programs: ChartPrograms, known: Mapping[str, Program]) -> Data:
@@ -169,8 +179,8 @@ class C(Target):
             require_calls(table)
             where = inside(table, GEOMETRY)
             found = re.findall(r"^DUALCAY_FUNCTION void DUALCAY_NAME\((\w+?)(_rows)?\)\(", texts[where], re.MULTILINE)
-            table.require_complete(where, [name for name, rows in found if not rows])
-            table.require_complete(f"{where}, rows", [name for name, rows in found if rows])
+            table.require_complete(where, [name for name, rows in found if not rows], table.composed)
+            table.require_complete(f"{where}, rows", [name for name, rows in found if rows], table.composed)
 
     def validate(self, folder: Path, chart: Chart, geometry: bool) -> int:
         return c_text.validate(folder, chart, geometry, self.tables)
@@ -189,8 +199,9 @@ class Values(NamedTuple):
 
 def differential_tables(chart: Chart, table: Table = POSES) -> Iterator[Data]:
     """Yield the seeded cases of each function of a table, with their branches, if any, and exact results."""
-    for name, group in itertools.groupby(cases(chart, table), lambda case: case.function):
-        found, row = list(group), table.functions[name]
+    for name, group in itertools.groupby((*cases(chart, table), *composed(chart, table)), lambda case: case.function):
+        found = list(group)
+        row = found[0].row
         given = enumerate(row.arguments)
         yield {
             "name": name,

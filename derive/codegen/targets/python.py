@@ -129,7 +129,8 @@ class PythonTarget(Target):
 
     def module(self, facts: Facts) -> Data:
         names = ("definitions", "domain", "singular_angles", "overflow", "largest", "turns", "returns")
-        return {**described(facts, POSES), **{name: getattr(facts, name) for name in names}, **self.programs(facts)}
+        found = {name: getattr(facts, name) for name in names}
+        return {**described(facts, POSES), **found, "ends": facts.chart.ends, **self.programs(facts)}
 
     def companions(self, facts: Facts) -> Mapping[str, tuple[str, Data]]:
         """Return the module of the chart for rotations, which uses scalar programs of the module for poses."""
@@ -179,7 +180,7 @@ class PythonTarget(Target):
 
 def described(facts: Facts, table: Table) -> Data:
     """Return the constants of a chart that its modules for poses and for rotations state."""
-    names = ("title", "vector", "parameter", "branches", "ends", "order")
+    names = ("title", "vector", "parameter", "branches", "order")
     found = {name: getattr(facts.chart, name) for name in names}
     return {**found, "aliases": table.aliases(facts.chart), "singular": facts.singular}
 

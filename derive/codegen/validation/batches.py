@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import random
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import lru_cache, partial
@@ -13,7 +14,9 @@ from ...maps.chart import Chart
 from ..rows import Function, Table
 from ..signatures import POSES
 from . import decimals, samples
-from .calls import Case, grouped, require
+from .calls import Case, grouped, of_composed, require
+from .screws import covering
+from .vectors import vectors_of
 
 
 class ValidationFailed(Exception):
@@ -75,6 +78,16 @@ def compare(where: str, found: Any, expected: Sequence[Any], agree: Callable[[An
             raise ValidationFailed(f"{where}, component {index}: {error}") from error
         if not right:
             raise ValidationFailed(f"{where}, component {index}: {got} is not {wanted}")
+
+
+def composed(chart: Chart, table: Table = POSES) -> Sequence[Batch]:
+    """Return the calls of the functions that Python composes, which compiled targets have as programs."""
+    with mpmath.workdps(decimals.EXACT_DIGITS):
+        draw = random.Random(samples.SEED)
+        screws, at = list(covering(draw, samples.SMALL_AT_EDGE)), vectors_of(chart)
+        found = grouped(of_composed(at, table, draw, screws, samples.JACOBIAN_MARGIN, tuple))
+        near = decimals.tolerance(chart)
+        return [Batch(cases[0].row, k, tuple(map(_decimal, cases)), near) for k, cases in found]
 
 
 def _decimal(case: Case) -> Case:

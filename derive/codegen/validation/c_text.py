@@ -16,7 +16,7 @@ from ...maps.chart import Chart
 from ..rows import Function, Table, inside
 from ..signatures import POSES
 from . import decimals
-from .batches import Batch, ValidationFailed, compare, same
+from .batches import Batch, ValidationFailed, compare, composed, same
 from .c_interpreter import UNSET, CError, Pointer, Unit, load
 from .decimals import Decimal
 from .run import chosen
@@ -36,7 +36,8 @@ def validate(folder: Path, chart: Chart, geometry: bool, tables: Sequence[Table]
     try:
         unit = load("".join(f'#include "{header}"\n' for header in headers), folder)
         _require_macros(unit, chart, tables)
-        calls = sum(check(unit, chart, chosen(chart, table, geometry), table, geometry) for table in tables)
+        given = {table: [*chosen(chart, table, geometry), *composed(chart, table)] for table in tables}
+        calls = sum(check(unit, chart, found, table, geometry) for table, found in given.items())
         if geometry and unit.idle:
             raise ValidationFailed(f"nothing calls {', '.join(unit.idle)}, so their results are unknown")
     except (CError, ValidationFailed) as error:

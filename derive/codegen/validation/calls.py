@@ -11,6 +11,7 @@ from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
 from functools import cached_property, partial
+from random import Random
 from typing import Any, NamedTuple, TypeVar
 
 import mpmath
@@ -141,3 +142,17 @@ def of_tensor(R: Tensor, branch: int) -> Iterator[Drawn]:
     """Yield the orthogonal dual tensor of a pose and its homogeneous matrix."""
     yield Drawn(Kind.TENSOR, (flat(R),), branch)
     yield Drawn(Kind.POSE, (rows_of_pose(pose_from_tensor(R)),), branch)
+
+
+def of_composed(
+    chart: Vectors, table: Table, draw: Random, screws: Sequence[Screw], least: float, short: Callable[..., Flat]
+) -> Iterator[Case]:
+    """Yield calls of the functions that Python composes: on all branches and at 0, with symmetric matrices."""
+    there = ((chart.tried[i % len(chart.tried)], screw) for i, screw in enumerate(screws))
+    vectors = [short(flat(chart.at(screw, k))) for k, screw in there if chart.finite(screw, k, least)]
+    for v in (*vectors, short(6 * [mpmath.mpf(0)])):
+        v_dot, entries = (short([mpmath.mpf(draw.uniform(-1, 1)) for _ in range(size)]) for size in (6, 36))
+        spread = tuple(entries[6 * min(i, j) + max(i, j)] for i in range(6) for j in range(6))
+        for row in table.composed.values():
+            arguments = row.restricted((v, v_dot, spread))
+            yield Case(row, None, arguments, partial(value, chart, row, None, arguments))

@@ -22,7 +22,7 @@ from ...maps.pose import polar
 from ..lowered import geometry
 from ..rows import Table
 from ..signatures import POSES
-from .calls import Case, Drawn, Kind, algebraic, at_screw, require, restricted, selecting
+from .calls import Case, Drawn, Kind, algebraic, at_screw, of_composed, require, restricted, selecting
 from .decimals import EXACT_DIGITS
 from .inverse_maps import value
 from .screws import covering
@@ -72,7 +72,7 @@ class FloatCase(Case):
     def _by_angle(self) -> list[Flat]:
         """Return the derivative of a vector by its angle, times the angle; empty if no angle is computed."""
         pose, result = self.row.pose or self.row, self.result
-        if "coefficient" not in {call.function for call in geometry()[pose.kernel].calls} or pose.shape != (6,):
+        if pose.shape != (6,) or "coefficient" not in {call.function for call in geometry()[pose.kernel].calls}:
             return []
         extent, axis = polar(Vector.dual(result[:3], result[3:] or (mpmath.mpf(0),) * 3))
         there = self.row.part(flat(axis * self.chart.size(self.chart.angle(extent) * (1 + STEP))))
@@ -89,6 +89,14 @@ def cases(chart: Chart, table: Table = POSES) -> Sequence[FloatCase]:
     require("a call in floats", table.public, (case.function for case in found))
     names = list(table.functions)
     return tuple(sorted(found, key=lambda case: names.index(case.function)))
+
+
+def composed(chart: Chart, table: Table = POSES) -> Sequence[FloatCase]:
+    """Return calls of the functions that Python composes, which C has as programs."""
+    with mpmath.workdps(EXACT_DIGITS):
+        at, draw = vectors_of(chart), random.Random(SEED)
+        found = of_composed(at, table, draw, list(covering(draw, SMALL))[:ORDINARY], EDGE_MARGIN, _short)
+        return [FloatCase(c.row, c.branch, c.arguments, c.compute, at) for c in found]
 
 
 @lru_cache(maxsize=1)  # the table of rotations reuses the calls of poses

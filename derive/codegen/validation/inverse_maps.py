@@ -136,6 +136,17 @@ def _shadow_jacobian(chart: Vectors, branch: int, v: Flat) -> Flat:
     return _jacobians(_shadow, chart, branch, v) if branch else IDENTITY
 
 
+def _principal(chart: Vectors, branch: int, v: Flat) -> Flat:
+    return flat(chart.at(chart.screw(dual(v))[0]))
+
+
+def _switch(chart: Vectors, branch: int, v: Flat, v_dot: Flat, covariance: Flat) -> Flat:
+    """Return the principal vector, J v̇ and J P Jᵀ, with the derivative J of the principal vector."""
+    matrices = (_jacobians(_principal, chart, 0, v), covariance)
+    J, P = (mpmath.matrix([entries[i : i + 6] for i in range(0, 36, 6)]) for entries in matrices)
+    return (*_principal(chart, 0, v), *(J * mpmath.matrix(v_dot)), *(J * P * J.T))
+
+
 MAPS: Mapping[str, Callable[..., Flat]] = {
     "from_quaternion": lambda at, k, q: flat(at.of_quaternion(Quaternion.dual(q[:4], q[4:]), k)),
     "from_tensor": _from_tensor,
@@ -146,7 +157,8 @@ MAPS: Mapping[str, Callable[..., Flat]] = {
     "to_exponential": lambda at, k, v: flat(_vector(_own_screw(at, v))),
     "from_exponential": _from_exponential,
     "shadow": _shadow,
-    "principal": lambda at, k, v: flat(at.at(at.screw(dual(v))[0])),
+    "principal": _principal,
+    "switch": _switch,
     "compose": _compose,
     "between": _between,
     "retract": partial(_retract, False),
@@ -159,6 +171,8 @@ MAPS: Mapping[str, Callable[..., Flat]] = {
     "shadow_jacobian": _shadow_jacobian,
     "retract_jacobians": partial(_jacobians, partial(_retract, False)),
     "body_retract_jacobians": partial(_jacobians, partial(_retract, True)),
+    "local_jacobians": partial(_jacobians, partial(_local, False)),
+    "body_local_jacobians": partial(_jacobians, partial(_local, True)),
 }
 """Expected values by kernel function, as functions of a chart, a branch and arguments."""
 

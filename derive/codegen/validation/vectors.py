@@ -7,22 +7,23 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
-from functools import cached_property, lru_cache
+from functools import cached_property, lru_cache, reduce
 from typing import Any
 
 import mpmath
 import sympy
 
-from ...algebra import Dual, Quaternion, Tensor, Vector, real_part
+from ...algebra import Dual, Quaternion, Tensor, Vector, dual_part, real_part
 from ...algebra.functions import atan2
 from ...maps.angle_of_length import angle_of
 from ...maps.chart import Chart
 from ...maps.elementary import evaluate
-from ...maps.families import alpha, by_square
+from ...maps.families import alpha
 from ...maps.pose import Screw, natural_invariants, orientation, polar, quaternion_from_screw
 
 Flat = tuple[Any, ...]  # components of an array, in C order
-DIGITS_CANCELLED = 250  # digits that terms of a scalar may lose by cancellation: enough for terms of size α⁻⁷
+DIGITS_CANCELLED, POWER_CANCELLED = 50, 10
+"""Digits that terms of a scalar may lose by cancellation for each derivative, and those per digit of a small angle."""
 BRANCHES_MAX = 8
 SOME_BRANCHES = (0, 1, -1, 2)
 """Branches of cases in a chart with infinitely many; other charts have cases on the first `BRANCHES_MAX` branches."""
@@ -108,17 +109,20 @@ class Vectors:
         return float(most if mpmath.isinf(angle) else min(most, self.size(REACH * angle) / mpmath.sqrt(3)))
 
     def derivatives(self, expression: sympy.Expr, x: sympy.Symbol, square: Any, order: int) -> Sequence[Any]:
-        """Return an even function of α and its derivatives by x, using more digits because terms cancel near 0."""
+        """Return an even function of α and its derivatives by x."""
         return tuple(+value for value in self._once(self._derivatives, expression, square, order))
 
     def _derivatives(self, expression: sympy.Expr, square: Any, order: int) -> list[Any]:
         angle, least = self.angle(mpmath.sqrt(square)), mpmath.sqrt(mpmath.eps)
-        found = []
-        with mpmath.workdps(mpmath.mp.dps + DIGITS_CANCELLED * max(order, 1)):
-            at = max(angle, least)  # changes an even function by least² = eps only
-            for _ in range(order + 1):
-                found.append(evaluate(expression, alpha, at))
-                expression = _by_square(expression, self.chart.phi)
+        at: Any = max(angle, least)  # changes an even function by least² = eps only
+        lost = DIGITS_CANCELLED - POWER_CANCELLED * min(0, int(mpmath.log10(at)))
+        with mpmath.workdps(mpmath.mp.dps + lost * max(order, 1)):
+            for _ in range(order):  # a further dual part for each derivative by x, with dα/dx = 1/(2 φ φ′)
+                at = Dual(at, 1 / (2 * self.size(at) * self.slope(at)))
+            value, found = evaluate(expression, alpha, at), list[Any]()
+            for count in range(order, -1, -1):
+                found.append(reduce(lambda part, _: real_part(part), range(count), value))
+                value = dual_part(value)
         return found
 
     # --- from natural invariants --------------------------------------------------------------------------------
@@ -192,7 +196,6 @@ class Vectors:
         return [halves for halves in range(1, 2 * BRANCHES_MAX, 2) if halves * sympy.pi < self.chart.edge]
 
 
-_by_square = lru_cache(maxsize=256)(by_square)
 _slope = lru_cache(maxsize=256)(lambda phi: phi.diff(alpha))
 
 

@@ -8,10 +8,10 @@ order M − 1, for M = 1 a logarithmic one, and for M < 1 it is finite.
 A closed inverse exists for compositions of invertible functions, and where φ² is a quotient of quadratics in α²:
 
 .. math:: \varphi^2 = \frac{\alpha^2 (n_1 + n_2 \alpha^2)}{d_0 + d_1 \alpha^2 + d_2 \alpha^4} \qquad
-    \alpha = r \sqrt{\frac{2 d_0}{b + \sqrt{b^2 + 4 a d_0 r^2}}} \qquad
-    a = n_2 - d_2 r^2 \quad b = n_1 - d_1 r^2
+    \alpha = \sqrt{\frac{2 d_0}{b + \sqrt{b^2 + 4 a d_0}}} \qquad
+    a = \frac{n_2}{r^2} - d_2 \quad b = \frac{n_1}{r^2} - d_1
 
-This α is 0 at r = 0 and loses no digits there.
+No power of a long r overflows.
 """
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ STEP = mpmath.mpf(1) / 8
 """Largest width of an interval, in rad."""
 LEAST_STEP, WINDOW = mpmath.ldexp(1, -70), mpmath.ldexp(1, -50)
 """Width below which a point is taken for an edge, and the range beyond it where the edge is looked for."""
-CELLS_MAX = 12_000
+CELLS_MAX = 6_000
 """Largest number of intervals; a φ that needs more is refused."""
 BESIDE = mpmath.ldexp(1, -190)
 """Distance from a singular point up to which statements are proved."""
@@ -182,19 +182,36 @@ def _order(at: Intervals, phi: sympy.Expr, slope: sympy.Expr, root: Any) -> symp
         found = _zero(at, base, root) if base.has(alpha) else None
         order, rest = (order - power * found[1], rest) if found else (order, rest * base**power)
     where = f"alpha = {mpmath.nstr(root, 6)}"
-    proved = list(cells(at, rest, root - WINDOW, root - 2 * BESIDE, BESIDE))
-    if not (proved and proved[-1][1] == root - 2 * BESIDE):
+    if not _is_regular(at, rest, root - WINDOW, root):
         raise PhiError(f"nothing proves that phi = {phi} goes to infinity at {where}, where it is singular")
     if order < 1:
-        raise PhiError(f"phi = {phi} is no real number beyond {where}, where it neither turns nor goes to infinity")
+        ends = "a chart ends where phi turns or is infinite"
+        raise PhiError(f"phi = {phi} is singular at {where}, where it is finite: {ends}")
     return order - 1
 
 
+def _is_regular(at: Intervals, f: sympy.Expr, low: Any, root: Any) -> bool:
+    """Return whether f is proved to be finite and not 0 from an angle up to a singular point.
+
+    At the point, fractional powers of functions that vanish there are 0.
+    """
+    powers = (part for part in f.atoms(sympy.Pow) if part.base.has(alpha) and part.exp.is_Rational and part.exp > 0)
+    none = {part: sympy.S.Zero for part in powers if not part.exp.is_Integer and _zero(at, part.base, root)}
+    sides = (f, at.interval(low, low)), (f.xreplace(none), at.interval(root - BESIDE, root + BESIDE))
+    try:
+        (first, _), (last, most) = (at.bounds(at.enclosure(e, where)) for e, where in sides)
+    except Undecided:
+        return False
+    f, least = (f, last) if first > 0 else (-f, -most)
+    *_, (_, end) = [(low, low), *cells(at, f, low, root - 2 * BESIDE, BESIDE)]
+    return bool(least > 0 and end == root - 2 * BESIDE)
+
+
 def with_quotients(expression: sympy.Expr) -> sympy.Expr:
-    """Return an expression as one quotient, with sines over cosines in place of tangents."""
+    """Return an expression as one quotient, up to its sign, with sines over cosines in place of tangents."""
     quotient = expression.replace(sympy.tan, lambda u: sympy.sin(u) / sympy.cos(u))
     above, below = sympy.fraction(sympy.together(quotient))
-    return above / below
+    return sympy.powdenest(sympy.expand_power_base(above / below, force=True), force=True)
 
 
 def _named(root: Any) -> sympy.Expr:
@@ -212,17 +229,25 @@ def _flat(slope: sympy.Expr, marched: list[tuple[Any, Any]]) -> tuple[Any, ...]:
     There ``φ″/φ′`` is largest, so that Newton's method is in most danger. Kernels are tested at these angles; nothing
     is concluded from them.
     """
-    rise, bend, found = slope.diff(alpha), slope.diff(alpha, 2), dict[Any, Any]()
     angles = [low for low, high in marched if high - low > FLAT_WIDTH]
     slopes = [real_value(slope, angle, slope) for angle in angles]
+    found = list[tuple[Any, Any, Any]]()
     for k in range(1, len(slopes) - 1):
         if slopes[k - 1] > slopes[k] <= slopes[k + 1] and 2 * slopes[k] < slopes[0]:
-            angle = _refined(rise, bend, angles[k])
-            if angles[k - 1] < angle < angles[k + 1]:
-                found[angle] = real_value(slope, angle, slope)
-    least = sorted(found, key=found.__getitem__)[:FLAT_MAX]
-    beside = [mpmath.sqrt(2 * found[angle] / real_value(bend, angle, slope)) for angle in least]
-    return tuple(a + side * d for a, d in zip(least, beside, strict=True) for side in (0, 1, -1))
+            found += _minimum(slope, *angles[k - 1 : k + 2])
+    return tuple(angle + side * beside for _, angle, beside in sorted(found)[:FLAT_MAX] for side in (0, 1, -1))
+
+
+def _minimum(slope: sympy.Expr, low: Any, angle: Any, high: Any) -> list[tuple[Any, Any, Any]]:
+    """Return the least φ′ between two angles, its angle, and the distance at which φ′ doubles; none on a plateau."""
+    least, rise, bend = (slope.diff(alpha, count) for count in range(3))
+    for _ in range(8):
+        curved = real_value(bend, angle, slope)
+        angle = angle - real_value(rise, angle, slope) / curved if curved > 0 else high
+        if not low < angle < high:
+            return []
+    size = real_value(least, angle, slope)
+    return [(size, angle, mpmath.sqrt(2 * size / curved))]
 
 
 def closed_inverse(phi: sympy.Expr) -> sympy.Expr | None:
@@ -257,6 +282,6 @@ def _root(phi: sympy.Expr) -> sympy.Expr | None:
     if max(N.degree(), D.degree()) > 2:
         return None
     (_, n1, n2), (d0, d1, d2) = ([of.coeff_monomial(y**k) for k in range(3)] for of in (N, D))
-    a, b = n2 - d2 * alpha**2, n1 - d1 * alpha**2
-    inside = sympy.factor(sympy.expand(b**2 + 4 * a * d0 * alpha**2))
-    return alpha * sympy.sqrt(2 * d0 / (b + sympy.sqrt(inside)))
+    a, b = n2 / alpha**2 - d2, n1 / alpha**2 - d1
+    inside = sympy.expand(b**2 + 4 * a * d0)  # its constant term is exactly 0 at a pole of φ
+    return sympy.sqrt(2 * d0 / (b + sympy.sqrt(inside)))

@@ -70,13 +70,27 @@ def expression_of(phi: Any, order: int | None) -> sympy.Expr:
         raise PhiError(f"phi = {phi} holds the symbol {same}: its only symbol is derive.alpha")
     if other := sorted({f.func.__name__ for f in phi.atoms(sympy.Function) if f.func not in KNOWN}):
         raise PhiError(f"phi = {phi} holds {', '.join(other)}; known functions are {', '.join(grammar.FUNCTIONS)}")
+    return _real(phi)
+
+
+def _real(phi: sympy.Expr) -> sympy.Expr:
+    """Return an expression in quotients; refuse one with a constant that is no real number."""
+    constants = (part for part in sympy.preorder_traversal(phi) if not part.free_symbols)
+    if (wrong := next((part for part in constants if not (part.is_comparable and part.is_finite)), None)) is not None:
+        raise PhiError(f"phi = {phi} holds {wrong}, which is no real number")
     return _in_quotients(phi)
 
 
 def _in_quotients(phi: sympy.Expr) -> sympy.Expr:
+    """Replace `QUOTIENTS`, and products of tangent and cosine, which SymPy keeps, by sines."""
     for function, quotient in QUOTIENTS.items():
         phi = phi.replace(function, quotient)
-    return phi
+    return phi.replace(lambda e: e.is_Mul, _without_common_cosines)
+
+
+def _without_common_cosines(product: sympy.Expr) -> sympy.Expr:
+    cosines = {factor.as_base_exp()[0].args[0] for factor in product.args if factor.as_base_exp()[0].func == sympy.cos}
+    return product.xreplace({sympy.tan(u): sympy.sin(u) / sympy.cos(u) for u in cosines})
 
 
 def parsed(text: str, order: int | None = None) -> sympy.Expr:
@@ -89,7 +103,7 @@ def parsed(text: str, order: int | None = None) -> sympy.Expr:
         raise PhiError(f"phi divides by zero: {text!r}") from None
     if found.has(sympy.zoo, sympy.nan, sympy.oo, -sympy.oo):
         raise PhiError(f"phi divides by zero: {text!r}")
-    return _in_quotients(found)
+    return _real(found)
 
 
 class _Builder:

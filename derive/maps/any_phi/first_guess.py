@@ -52,9 +52,9 @@ def _share(x: Coefficient, size: Any, m: Arithmetic) -> Coefficient:
 
 def from_end(x: Coefficient, size: Any, m: Arithmetic) -> Coefficient:
     """Return ``√(1 − x/X)``, for X at the end of a chart: 0 there, up to rounding, and NaN beyond."""
-    left = m.name("short", 1 - _share(x, size, m))
+    left = m.name("lack", 1 - _share(x, size, m))
     noise = m.both(m.less(left, 0), m.equal(NOISE + left, NOISE))
-    return m.name("rootshort", m.sqrt(m.where(noise, 0, left)))
+    return m.name("rootlack", m.sqrt(m.where(noise, 0, left)))
 
 
 @dataclass(frozen=True)
@@ -67,9 +67,9 @@ class Guess(ABC):
     steps: int
 
     @property
-    def to_fold(self) -> bool:
-        """True if the guess is the edge itself at a fold."""
-        return False
+    def to_edge(self) -> bool:
+        """Tell whether φ′ is 0 or infinite at the edge."""
+        return bool(mpmath.isinf(self.size))
 
     @abstractmethod
     def lowered(self, x: Coefficient, r: Coefficient, m: Arithmetic) -> Coefficient:
@@ -80,9 +80,10 @@ class Guess(ABC):
         angle = m.name("guess", self.lowered(x, r, m))
         for step in range(self.steps):
             at = PhiValues(m.corrected(angle), m)
-            change = m.div(at.derivative(self.phi, 0) - r, at.derivative(self.phi, 1))
-            if self.to_fold:  # φ′ = 0 at the edge, which the guess meets
-                change = m.where(m.less(plus(angle, -self.edge, m, f"before{step}"), 0), change, 0)
+            change = m.name(f"change{step}", m.div(at.derivative(self.phi, 0) - r, at.derivative(self.phi, 1)))
+            if self.to_edge:  # beside a fold or pole, rounding makes a step that is longer than the way to the edge
+                left = m.name(f"left{step}", -plus(angle, -self.edge, m, f"before{step}"))
+                change = m.where(m.less(m.abs(change), left), change, 0)
             angle = m.name(f"alpha{step}", angle - change)
         return angle
 
@@ -155,8 +156,8 @@ class Fitted(Guess):
     polynomial: Polynomial
 
     @property
-    def to_fold(self) -> bool:
-        return self.variable.from_edge and bool(mpmath.isfinite(self.size))
+    def to_edge(self) -> bool:
+        return self.variable.from_edge
 
     def lowered(self, x: Coefficient, r: Coefficient, m: Arithmetic) -> Coefficient:
         z = m.name("z", self.variable.of(x, r, m))
@@ -166,7 +167,7 @@ class Fitted(Guess):
     def error(self, at: Intervals, low: Any, high: Any) -> Any:
         """Return a bound of the error: of the guess at the middle, and by the mean value theorem beside it."""
         middle, whole = (low + high) / 2, at.interval(low, high)
-        (_, z), *ends = ((r, self.variable.of(r * r, r, PLAIN)) for r in map(self._length, (middle, low, high)))
+        (_, z), *ends = map(self._place, (middle, low, high))
         off = max(abs(end - z) for _, end in ends)
         g, steep, bend = self._guess(z, off)
         slope = at.interval(steep - off * bend, steep + off * bend)
@@ -174,8 +175,17 @@ class Fitted(Guess):
         drift = at.size(rates * at.enclosure(_derivatives(self.phi)[0], whole) - 1)[1]
         return abs(g - middle) + (high - low) / 2 * drift
 
-    def _length(self, angle: Any) -> Any:
-        return real_value(self.phi, angle, self.phi)
+    @cached_property
+    def _places(self) -> dict[Any, tuple[Any, Any]]:
+        """Cache of `_place`: an interval shares its ends with its neighbours, and its middle with its halves."""
+        return {}
+
+    def _place(self, angle: Any) -> tuple[Any, Any]:
+        """Return the length and the variable at an angle."""
+        if angle not in self._places:
+            r = real_value(self.phi, angle, self.phi)
+            self._places[angle] = r, self.variable.of(r * r, r, PLAIN)
+        return self._places[angle]
 
     def _guess(self, z: Any, off: Any) -> tuple[Any, Any, Any]:
         """Return the guess at z, its derivative there, and a bound of its second derivative not further than off."""
@@ -335,7 +345,10 @@ def _needed(at: Intervals, edge: Edge, found: Guess, low: Any, high: Any, least:
     left = low if edge.kind == "cut" else found.edge - high
     try:
         if not isinstance(found, Halved):
-            return _steps(at, found.phi, found.error(at, low, high), low, high, left)
+            error = found.error(at, low, high)
+            if found.to_edge and 4 * error > left:
+                return None  # a step could be longer than the way to the edge
+            return _steps(at, found.phi, error, low, high, left)
         for count in range(least, HALVINGS_MAX):
             error = replace(found, count=count).error(at, low, high)
             steps = _steps(at, found.f, error, low, high, found.edge if found.order else left, found.bends)

@@ -49,10 +49,11 @@ class PhiValues:
     def derivative(self, phi: sympy.Expr, count: int) -> Coefficient:
         """Return a derivative of φ, or φ itself for count 0.
 
-        For a quotient ``φ = N/D``, Leibniz's rule for ``φ D = N`` gives the derivative from shared parts.
+        For a quotient ``φ = N/D``, Leibniz's rule for ``φ D = N`` gives the derivative from shared parts. A product of
+        sums is no such part: its terms would cancel where a sum is near 0.
         """
         above, below = sympy.fraction(sympy.together(phi)) if phi.is_rational_function(alpha) else (phi, sympy.S.One)
-        if not below.has(alpha):
+        if not below.has(alpha) or _sums(above) > 1 or _sums(below) > 1:
             return self.at(phi.diff(alpha, count))
         if (phi, count) not in self._known:
             value = self.at(_nested(above.diff(alpha, count)))
@@ -210,6 +211,10 @@ FUNCTIONS: Mapping[Any, Callable[[PhiValues, sympy.Expr], Coefficient]] = {
     sympy.log: PhiValues._log,
 }
 """Functions that kernels compute, with the lowering of each."""
+
+
+def _sums(product: sympy.Expr) -> Any:
+    return sum(power for base, power in product.as_powers_dict().items() if base.is_Add)
 
 
 def _nested(polynomial: sympy.Expr) -> sympy.Expr:

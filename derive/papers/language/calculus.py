@@ -22,9 +22,9 @@ from .matrices import rotation, translation, twist_of
 from .operator_table import define, infinity
 from .printed import ATOM, LIST, PRODUCT, SUM, Apply, OperatorRow, Symbol, Term, symbols, walk
 
-BINDERS: dict[str, int] = {"sum": 0}
+BINDERS: dict[str, int] = {"sum": 0, "every": 0}
 """Place of the bound letter among the arguments, by operator."""
-BODIES = {"sum": 3}
+BODIES = {"sum": 3, "every": 3}
 """Place of the term in which the letter is bound; the first by default."""
 SPARE = 8
 """Terms of a series that quotients of singular terms may use up."""

@@ -11,10 +11,10 @@ from itertools import pairwise
 from typing import Any
 
 from ...maps.any_phi.grammar import Grammar, source
-from . import calculus, matrices, operations, operator_table, relations
+from . import matrices, operations, operator_table, relations
 from .calculus import substituted
 from .operations import CONSTANTS, OPERATIONS, POSE, TENSOR, Kind, KindError, is_number
-from .printed import ATOM, LIST, Apply, Number, Symbol, Term, walk
+from .printed import ATOM, LIST, Apply, Number, Symbol, Term, Trait, macro, takes_apart, walk
 
 POWER_MAX = 64
 """Largest power that is a written number."""
@@ -23,6 +23,8 @@ SIZE_MAX = 12
 PARTS_MAX = 6000
 """Largest number of parts of a claim with its definitions filled in."""
 
+COUNTED = ("sum", "all")
+"""Operations over an integer letter, which is their first argument."""
 LITERALS = ("matrix", "block", "entry", "identity", "zeros")
 RELATIONS: dict[type[ast.cmpop], Any] = {
     ast.Eq: operator_table.equal, ast.NotEq: relations.unlike, ast.Lt: relations.less, ast.LtE: relations.at_most,
@@ -93,12 +95,20 @@ class Abbreviation:
     name: str
     parameters: tuple[str, ...]
     text: str
+    latex: str = ""  # as printed; by its name if it is empty
     known: dict[tuple[Kind, ...], tuple[Term, Kind]] = field(default_factory=dict)
 
     @property
     def head(self) -> str:
         """Name with its parameters, as in the file."""
         return f"{self.name}({', '.join(self.parameters)})" if self.parameters else self.name
+
+    def symbol(self, kinds: tuple[Kind, ...]) -> Symbol:
+        """Return the symbol of the name, another one for arguments of each further list of kinds."""
+        quantity = "function of parts" if takes_apart(self.known[kinds][0]) else "function"
+        others = list(self.known).index(kinds)
+        name = f"{self.name} {others + 1}" if others else self.name
+        return Symbol(name, quantity, self.latex or latex_of(self.name), self.name)
 
     def symbols(self) -> tuple[Symbol, ...]:
         """Return the symbols of the parameters."""
@@ -143,7 +153,7 @@ def _expanded(term: Term, abbreviations: Mapping[str, Abbreviation]) -> Term:
         return Apply(term.operator.name, *arguments)
     function = term.arguments[0]
     assert isinstance(function, Symbol)
-    called, kinds = abbreviations[function.name], CALLS[term.operator.name]
+    called, kinds = abbreviations[str(function.args[3])], CALLS[term.operator.name]
     body = _expanded(called.known[kinds][0], abbreviations)
     return substituted(body, dict(zip(called.symbols(), arguments[1:], strict=True)))
 
@@ -164,17 +174,22 @@ CALLS: dict[str, tuple[Kind, ...]] = {}
 
 def _call(abbreviation: Abbreviation, arguments: Sequence[Term], kinds: tuple[Kind, ...]) -> Term:
     """Return the term of a call: one operator for each list of kinds, since the meaning follows from them."""
-    name = f"{CALL}{'; '.join(map(str, kinds))}"
+    printed = abbreviation.latex if "#" in abbreviation.latex else ""
+    relation = abbreviation.known[kinds][1] == "truth"
+    name = f"{CALL}{'; '.join(map(str, kinds))}{' relation' * relation}{printed}"
     if name not in CALLS:
         places = ", ".join(f"{{{i}}}" for i in range(1, len(kinds) + 1))
         shown = (rf"{{0}}\left({places}\right)", f"{{0}}({places})") if kinds else ("{0}", "{0}")
-        operator_table.define(name, *shown, ATOM, (LIST,), _not_expanded, lazy=True)
+        if printed:
+            shown = macro(printed, 1), shown[1]
+        traits = Trait.DELICATE if relation else Trait.NONE
+        operator_table.define(name, *shown, ATOM, (LIST,), _called, traits=traits)
         CALLS[name] = kinds
-    return Apply(name, Symbol(abbreviation.name, "function", latex_of(abbreviation.name)), *arguments)
+    return Apply(name, abbreviation.symbol(kinds), *arguments)
 
 
-def _not_expanded(env: Any, *arguments: Term) -> Any:
-    raise TypeError("a definition is filled in before a claim is evaluated")
+def _called(env: Any, f: Any, *arguments: Any) -> Any:
+    return f(*arguments) if arguments else f
 
 
 GREEK = re.findall(
@@ -349,13 +364,13 @@ class Reader:
 
     def _bound(self, name: str, node: ast.Call) -> tuple[Term, Kind]:
         """Return the term of an operation that varies a letter."""
-        place, count = int(name != "sum"), len(OPERATIONS[name].takes)
+        place, count = int(name not in COUNTED), len(OPERATIONS[name].takes)
         if len(node.args) != count:
             raise self.error(f"{name} takes {count} arguments, got {len(node.args)}", node)
         letter = node.args[place]
         if not isinstance(letter, ast.Name):
             raise self.error(f"{name} varies a letter, got {source(letter, self.text)[:60]!r}", letter)
-        if name in ("sum", "limit", "integral"):
+        if name in (*COUNTED, "limit", "integral"):
             return self._local(name, node, letter.id, place)
         at, kind = self.read(letter)
         if not isinstance(at, Symbol) or letter.id not in self.scope.letters:
@@ -370,12 +385,12 @@ class Reader:
         return OPERATIONS[name].term(body, at, at, *(term for term, _ in rest)), OPERATIONS[name].kind(name, kinds)
 
     def _local(self, name: str, node: ast.Call, letter: str, place: int) -> tuple[Term, Kind]:
-        """Return the term of a sum, limit or integral, whose letter is local."""
-        kind = "integer" if name == "sum" else "number"
+        """Return the term of an operation whose letter is local, such as a sum or limit."""
+        kind = "integer" if name in COUNTED else "number"
         symbol = Symbol(letter, "index", latex_of(letter), letter)
         inside = Reader(self.text, self.scope.with_letter(letter, symbol, kind))
         inside.shift = self.shift
-        body = calculus.BODIES["sum"] if name == "sum" else 0
+        body = len(OPERATIONS[name].takes) - 1 if name in COUNTED else 0
         found = [
             (symbol, kind) if i == place else (inside if i == body else self).read(argument)
             for i, argument in enumerate(node.args)

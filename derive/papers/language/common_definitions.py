@@ -1,4 +1,4 @@
-"""Definitions shared by both papers, for `evaluation.let`, and operators for claims in words.
+"""Definitions of papers in Python, for `evaluation.let`, and operators for claims in words.
 
 A claim without a formula is a symbol (`proposition`) whose definition computes its truth.
 """
@@ -38,9 +38,9 @@ skew_of, transpose_of, inverse_of = plain(Tensor.skew), plain(lambda T: T.transp
 image = plain(lambda T, a: T @ a)
 
 
-def component_of(index: int, part: Callable[[Any], Any] = lambda a: a) -> Callable[..., Any]:
-    """Return the definition of a vector component, counted from 1; `part` maps it to its real or dual part."""
-    return plain(lambda a: part(tuple(a)[index - 1]))
+def component_of(index: int) -> Callable[..., Any]:
+    """Return the definition of a vector component, counted from 1."""
+    return plain(lambda a: tuple(a)[index - 1])
 
 
 def screw_quaternion(env: Env, alpha: Any, u: Vector) -> Quaternion:

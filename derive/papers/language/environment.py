@@ -63,7 +63,10 @@ class Env:
         """Return a copy of the environment in which one more symbol, such as a summation index, has a value."""
         if not isinstance(index, Symbol):
             raise TypeError(f"only a symbol can be bound, not {index!r}")
-        return dataclasses.replace(self, values={**self.values, index: value})
+        kept = self.values
+        if index.quantity.varies:  # definitions may contain it
+            kept = {symbol: known for symbol, known in kept.items() if symbol not in self.definitions}
+        return dataclasses.replace(self, values={**kept, index: value})
 
     def equal(self, a: Any, b: Any) -> bool:
         """Return whether two values are equal, component by component."""

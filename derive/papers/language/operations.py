@@ -73,6 +73,11 @@ class Operation:
     many: bool = False  # whether the last argument may be repeated
     binds: bool = False  # whether the second argument (of a sum the first) is a letter that the first one varies
 
+    @property
+    def operator(self) -> str:
+        """Name of the operator; empty if it depends on the kind of the first argument."""
+        return str(getattr(self.term, "name", ""))
+
     def kind(self, call: str, kinds: Sequence[Kind]) -> Kind:
         """Return the kind of the value for arguments of these kinds; raise KindError."""
         least = len(self.takes)
@@ -162,6 +167,8 @@ OPERATIONS: dict[str, Operation] = {
                       "magnitude of a number, column or quaternion", "norm(v)"),
     "dot": Operation(("column", "column"), "number", t.dot, "scalar product of two columns", "dot(v, w)"),
     "cross": Operation(("vector", "vector"), VECTOR, t.cross, "vector product", "cross(v, w)"),
+    "distance": Operation(("vector", "vector"), "number", relations.distance,
+                          "shortest distance of two lines, given by unit dual vectors", "distance(v, w)"),
     "dyad": Operation(("vector", "vector"), TENSOR, t.dyad, "dyadic product v wᵀ", "dyad(v, w)"),
     "skew": Operation(("vector or twist",), _skew, _by_kind(lambda k: t.skew if k == VECTOR else matrices.hat),
                       "matrix with skew(v) w = v × w; of a twist its 4x4 matrix", "skew(v)"),
@@ -220,6 +227,9 @@ OPERATIONS: dict[str, Operation] = {
                                 "the same in the body frame", "right_jacobian(exp(skew(v)), v)", binds=True),
     "sum": Operation(("integer", "integer", "integer", "value"), lambda k, a, b, term: term, t.summation,
                      "sum over an integer letter", "sum(k, 0, n, x**k)", binds=True),
+    "all": Operation(("integer", "integer", "integer", "relation"), "truth", t.every,
+                     "relation for every value of an integer letter", "all(k, 1, 3, entry(cross(v, v), k) == 0)",
+                     binds=True),
     "limit": Operation(("value", "number", "number"), same, calculus.limit, "limit from both sides",
                        "limit(sin(x)/x, x, 0)", binds=True),
     "integral": Operation(("value", "number", "number", "number"), same, calculus.integral, "integral over a letter",

@@ -101,8 +101,20 @@ nonzero = define("nonzero", r"{0} \neq 0", "{0}≠0", RELATION, (SUM,),
                  lambda env, a: not env.equal(env.now(a), 0), traits=Trait.DELICATE)
 negated = define("negated", r"\neg\left({0}\right)", "not {0}", RELATION, (LIST,), lambda env, a: not a,
                  traits=Trait.DELICATE)
-implies = define("implies", r"{0} \Rightarrow {1}", "{0}⇒{1}", LIST, (LIST, LIST),
-                 lambda env, a, b: not env.value(a) or env.value(b), lazy=True, traits=Trait.DELICATE | Trait.JOINS)
+
+
+def _implied(env: Env, premise: Term, conclusion: Term) -> bool:
+    """Return whether a premise implies a conclusion, which must be true where the premise is undecidable."""
+    try:
+        return not env.value(premise) or bool(env.value(conclusion))
+    except NotExactError:
+        if env.value(conclusion):
+            return True
+        raise
+
+
+implies = define("implies", r"{0} \Rightarrow {1}", "{0}⇒{1}", LIST, (LIST, LIST), _implied, lazy=True,
+                 traits=Trait.DELICATE | Trait.JOINS)
 iff = define("iff", r"{0} \Leftrightarrow {1}", "{0}⇔{1}", LIST, (LIST, LIST), lambda env, a, b: a == b,
              traits=Trait.DELICATE | Trait.JOINS)
 remark = define("remark", r"{0},\quad {1}", "{0},{1}", LIST, (LIST, LIST), lambda env, statement, words: statement,
@@ -177,6 +189,13 @@ def _floor(env: Env, a: Any, b: int) -> int:
 
 floor_over = define("floor", r"\left\lfloor {0}/{1} \right\rfloor", "{0}/{1}", ATOM, (ATOM, ATOM), _floor)
 binomial = define("binomial", r"\binom{{{0}}}{{{1}}}", "{0} {1}", ATOM, (LIST, LIST), _counting(math.comb))
+
+
+def _every(env: Env, index: Term, low: Term, high: Term, body: Term) -> bool:
+    return all(env.bound(index, k).value(body) for k in range(env.value(low), env.value(high) + 1))
+
+
+every = define("every", r"{3} \quad \text{{for every ${0} = {1}, …, {2}$}}", "{3}", LIST, (LIST,), _every, lazy=True)
 
 
 # ---- dual parts -----------------------------------------------------------------------------------------------

@@ -7,8 +7,9 @@ build terms, so an entry reads like the formula. Module :mod:`derive.papers.lang
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+import re
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, replace
 from enum import Flag, auto
 from typing import Any, Self
 
@@ -144,6 +145,24 @@ class Apply(Term):
         return tuple(a for a in self.args[1:] if isinstance(a, Term))
 
 
+def macro(latex: str, first: int = 0) -> str:
+    """Return the template of a LaTeX text with arguments ``#1``, ``#2`` …, of which the first has this place."""
+    escaped = latex.replace("{", "{{").replace("}", "}}")
+    return re.sub(r"#(\d)", lambda found: f"{{{int(found[1]) - 1 + first}}}", escaped)
+
+
+def shown_as(statement: Term, printed: Mapping[str, str]) -> Term:
+    """Return a statement with the LaTeX of some operators by name; each becomes an operator of its own."""
+    if not isinstance(statement, Apply):
+        return statement
+    row, arguments = statement.operator, [shown_as(argument, printed) for argument in statement.arguments]
+    if row.name not in printed:
+        return Apply(row.name, *arguments)
+    name = f"{row.name} as {printed[row.name]}"
+    OPERATORS.setdefault(name, replace(row, name=name, latex=macro(printed[row.name])))
+    return Apply(name, *arguments)
+
+
 def term(value: Any) -> Term:
     """Return a term unchanged, or an integer as a term."""
     if isinstance(value, Term):
@@ -200,4 +219,4 @@ def _typeset(node: Term, style: str, brackets: str) -> str:
     template: str = getattr(row, style)
     if style == "latex" and template.startswith("{0}^") and "^" in parts[0]:
         parts[0] = f"{{{parts[0]}}}"  # avoid a double superscript
-    return template.format(*parts) if "{0}" in template else template.join(parts)
+    return template.format(*parts) if re.search(r"\{\d\}", template) else template.join(parts)

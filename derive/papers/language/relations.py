@@ -10,8 +10,9 @@ from typing import Any
 from ...algebra import Quaternion, Tensor, Vector
 from ...algebra.element import NotExactError
 from ...algebra.matrix import exactly
-from ...maps import first_principles
+from ...maps import first_principles, pose
 from ..numbers.fields import innermost
+from . import values
 from .environment import Env
 from .matrices import exp
 from .operator_table import define
@@ -39,7 +40,7 @@ less = _ordered("less", "<", "<", operator.lt)
 at_most = _ordered("at most", "<=", r"\leq", operator.le)
 greater = _ordered("greater", ">", ">", operator.gt)
 at_least = _ordered("at least", ">=", r"\geq", operator.ge)
-either = define("or", r" \;\text{{or}}\; ", " or ", LIST, (RELATION,), lambda env, *parts: any(parts),
+either = define("or", r" \;\text{or}\; ", " or ", LIST, (RELATION,), lambda env, *parts: any(parts),
                 traits=Trait.DELICATE)
 
 # ---- functions of numbers ---------------------------------------------------------------------------------------
@@ -75,6 +76,16 @@ def _floor(env: Env, a: Any) -> Any:
 
 
 floor = define("floor of number", r"\left\lfloor {0} \right\rfloor", "floor({0})", ATOM, (LIST,), _floor)
+
+
+def _distance(env: Env, a: Vector, b: Vector) -> Any:
+    normal = values.re(a).cross(values.re(b))
+    parallel = env.field.same(innermost(normal.dot(normal)), 0)
+    return (pose.distance_of_parallels if parallel else pose.distance)(a, b, env.field)
+
+
+distance = define("distance", r"d\left({0}, {1}\right)", "distance({0}, {1})", ATOM, (LIST, LIST), _distance,
+                  traits=Trait.APART)
 
 # ---- functions of CP23 ------------------------------------------------------------------------------------------
 

@@ -152,7 +152,9 @@ _STRUCTURES = (
     Quantity("line", apart=True), Quantity("pose"),
 )
 
-_DEFINED = (Quantity("number"), Quantity("function"), Quantity("map"), PROPOSITION)
+_DEFINED = (
+    Quantity("number"), Quantity("function"), Quantity("function of parts", apart=True), Quantity("map"), PROPOSITION,
+)
 """Quantities that need a definition; a number may be real or dual."""
 
 _CONSTANT = (

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
+from ... import about
 from ...proof import Proof
 from ..claim import rate_depth
 from ..equation import Entry, Paper
@@ -152,7 +153,7 @@ def why(result: Result) -> str:
 
 def command(result: Result) -> str:
     """Return the command that prints the entry with its counterexample."""
-    if result.equation.written is not None:
+    if result.paper not in about.PAPERS:
         return f"dualcay verify {result.equation.source} --eq {result.equation.number}"
     return f"dualcay verify --paper {result.paper} --eq {result.equation.number}"
 

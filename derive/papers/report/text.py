@@ -100,6 +100,7 @@ def _true(result: Result) -> Rows:
 TABLES: dict[Status, tuple[str, str, Callable[[Result], Rows]]] = {
     Status.ERRATUM: ("printed", "corrected", _erratum),
     Status.AMBIGUOUS: ("reading", "verdict", _ambiguous),
+    Status.UNDECIDED: ("printed", "reason", _true),
     Status.HOLDS_IF: ("printed", "condition", _true),
     Status.HOLDS: ("printed", "method", _true),
 }

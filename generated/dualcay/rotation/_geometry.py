@@ -387,7 +387,7 @@ def from_quaternion(m: Any, c: Any, e: Components) -> Result:
     square = e0 * e0 + (e1 * e1 + e2 * e2 + e3 * e3)
     size = m.sqrt(square)
     inverse = 1 / square
-    whole = size + inverse
+    whole = square + inverse
     return vector_of(m, c, e, size, whole)
 
 
@@ -869,6 +869,34 @@ def transform_point_jacobians(m: Any, c: Any, v: Components, r: Components) -> R
     )
 
 
+def step_jacobians(m: Any, c: Any, delta: Components, v2: Components, v1: Components) -> Result:
+    """Matrices dexp(δ)⁻¹ T(v2) and −dexp(−δ)⁻¹ T(v1), where dexp(−δ) is the transpose of dexp(δ)."""
+    s, w, _, g, h, _, _, _ = exponential_scalars(m, delta)
+    fi = s / w
+    hi = g - fi * h
+    back = tangent_inverse_at(fi, hi, delta)
+    back11, back12, back13, back21, back22, back23, back31, back32, back33 = back
+    T2 = tangent(m, c, v2)
+    D2 = matrix_product(back, T2)
+    T1 = tangent(m, c, v1)
+    D1 = matrix_product((-back11, -back21, -back31, -back12, -back22, -back32, -back13, -back23, -back33), T1)
+    return *D2, *D1
+
+
+def local_jacobians(m: Any, c: Any, v2: Components, v1: Components) -> Result:
+    """Derivatives dexp(δ)⁻¹ T(v2) and −dexp(−δ)⁻¹ T(v1) of δ = local(v2, v1), by v2 and by v1."""
+    d = local(m, c, v2, v1)
+    return step_jacobians(m, c, d, v2, v1)
+
+
+def body_local_jacobians(m: Any, c: Any, v2: Components, v1: Components) -> Result:
+    """Derivatives dexp(−δ)⁻¹ T(−v2) and −dexp(δ)⁻¹ T(−v1) of δ = body_local(v2, v1), by v2 and by v1."""
+    b1, b2, b3 = v2
+    a1, a2, a3 = v1
+    d1, d2, d3 = body_local(m, c, v2, v1)
+    return step_jacobians(m, c, (-d1, -d2, -d3), (-b1, -b2, -b3), (-a1, -a2, -a3))
+
+
 KERNELS: Mapping[str, Kernel] = {
     "quaternion": Kernel(quaternion, (("v", (3,)),), (4,), real=False),
     "tensor": Kernel(tensor, (("v", (3,)),), (3, 3), real=False),
@@ -912,4 +940,7 @@ KERNELS: Mapping[str, Kernel] = {
     "interpolate": Kernel(interpolate, (("v1", (3,)), ("v2", (3,)), ("t", ()),), (3,), real=True),
     "adjoint": Kernel(adjoint, (("v", (3,)),), (3, 3), real=False),
     "transform_point_jacobians": Kernel(transform_point_jacobians, (("v", (3,)), ("r", (3,)),), (18,), real=False),
+    "step_jacobians": Kernel(step_jacobians, (("delta", (3,)), ("v2", (3,)), ("v1", (3,)),), (18,), real=True),
+    "local_jacobians": Kernel(local_jacobians, (("v2", (3,)), ("v1", (3,)),), (18,), real=True),
+    "body_local_jacobians": Kernel(body_local_jacobians, (("v2", (3,)), ("v1", (3,)),), (18,), real=True),
 }

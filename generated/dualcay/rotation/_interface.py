@@ -61,8 +61,7 @@ class RotationKernels(Kernels):
         ----------
         v : array, shape (..., 3)
             Vector φ(α) u of the chart (dimensionless).
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
         scalar_first : bool
             True for the scalar first, False for the scalar last.
 
@@ -92,8 +91,7 @@ class RotationKernels(Kernels):
         ----------
         v : array, shape (..., 3)
             Vector φ(α) u of the chart (dimensionless).
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -118,8 +116,7 @@ class RotationKernels(Kernels):
             Rotation angle α (rad).
         u : array, shape (..., 3)
             Unit vector of the axis; another length scales v. Complex numbers are a TypeError.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
         check : bool or float
             Largest violation allowed, otherwise ValueError; True is sqrt(eps) of the array type. NaN is refused too.
 
@@ -221,8 +218,7 @@ class RotationKernels(Kernels):
             NaN or infinity in any component, or zero, gives NaN. Complex q is a TypeError.
         branch : int
             k of ``φ(α + 2kπ) u``, modulo the number of branches; 0 is principal. Anything else is a TypeError.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
         check : bool or float
             Largest violation allowed, otherwise ValueError; True is sqrt(eps) of the array type. NaN is refused too.
         scalar_first : bool
@@ -260,8 +256,7 @@ class RotationKernels(Kernels):
             Errors are first order in a violation of orthogonality. Complex R is a TypeError.
         branch : int
             k of ``φ(α + 2kπ) u``, modulo the number of branches; 0 is principal. Anything else is a TypeError.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
         check : bool or float
             Largest violation allowed, otherwise ValueError; True is sqrt(eps) of the array type. NaN is refused too.
 
@@ -322,8 +317,7 @@ class RotationKernels(Kernels):
         ----------
         v : array, shape (..., 3)
             Vector φ(α) u of the chart (dimensionless).
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -348,8 +342,7 @@ class RotationKernels(Kernels):
             Vector φ(α) u of the chart (dimensionless).
         r : array, shape (..., 3)
             Point.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -404,8 +397,7 @@ class RotationKernels(Kernels):
         ----------
         v : array, shape (..., 3)
             Vector φ(α) u of the chart (dimensionless).
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -432,8 +424,7 @@ class RotationKernels(Kernels):
         ----------
         v : array, shape (..., 3)
             Vector φ(α) u of the chart (dimensionless).
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -456,8 +447,7 @@ class RotationKernels(Kernels):
         ----------
         v : array, shape (..., 3)
             Vector φ(α) u of the chart (dimensionless).
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -480,8 +470,7 @@ class RotationKernels(Kernels):
         ----------
         v : array, shape (..., 3)
             Vector φ(α) u of the chart (dimensionless).
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -504,8 +493,7 @@ class RotationKernels(Kernels):
         ----------
         v : array, shape (..., 3)
             Vector φ(α) u of the chart (dimensionless).
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -538,8 +526,7 @@ class RotationKernels(Kernels):
             Complex v is a TypeError.
         branch : int
             k, modulo the number of branches; anything else is a TypeError.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -567,8 +554,7 @@ class RotationKernels(Kernels):
             Complex v is a TypeError.
         branch : int
             k, modulo the number of branches; anything else is a TypeError.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -593,8 +579,7 @@ class RotationKernels(Kernels):
         v : array, shape (..., 3)
             Vector φ(α) u of the chart (dimensionless).
             Complex v is a TypeError.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -618,8 +603,7 @@ class RotationKernels(Kernels):
         v : array, shape (..., 3)
             Vector φ(α) u of the chart (dimensionless).
             Complex v is a TypeError.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -643,8 +627,7 @@ class RotationKernels(Kernels):
         v : array, shape (..., 3)
             Vector φ(α) u of the chart (dimensionless).
             Complex v is a TypeError.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -702,8 +685,7 @@ class RotationKernels(Kernels):
         w : array, shape (..., 3)
             Exponential coordinates: rotation vector (rad).
             Complex w is a TypeError.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -729,8 +711,7 @@ class RotationKernels(Kernels):
         ----------
         v2, v1 : array, shape (..., 3)
             Vectors φ(α) u of the chart (dimensionless). Complex numbers are a TypeError.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -754,8 +735,7 @@ class RotationKernels(Kernels):
         ----------
         v2, v1 : array, shape (..., 3)
             Vectors φ(α) u of the chart (dimensionless). Complex numbers are a TypeError.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -823,6 +803,60 @@ class RotationKernels(Kernels):
         found = call(self._chart, "between_jacobians", axis, None, v2, v1)
         return separate(found, axis, JACOBIAN, JACOBIAN)
 
+    def local_jacobians(self, v2: ArrayLike, v1: ArrayLike, *, axis: int = -1) -> tuple[Array, ...]:
+        r"""Return the derivatives of ``δ = local(v2, v1)`` by v2 and by v1, on the principal branch.
+
+        ``∂δ/∂v2 = dexp(δ)⁻¹ T(v2)`` and ``∂δ/∂v1 = −dexp(−δ)⁻¹ T(v1)``.
+
+        Parameters
+        ----------
+        v2, v1 : array, shape (..., 3)
+            Vectors φ(α) u of the chart (dimensionless). Complex numbers are a TypeError.
+        axis : {-1, 0}, component axis of arguments and results
+
+        Returns
+        -------
+        by_v2, by_v1 : array, shape (..., 3, 3)
+            Rows: components of the result. Columns: components of the argument.
+
+        Examples
+        --------
+        >>> v, w, step = np.arange(3) / 10, np.full(3, 0.2), np.full(3, 1e-6)
+        >>> by_w, by_v = cayley2.local_jacobians(w, v)
+        >>> moved = cayley2.local([w + step, w - step], v)
+        >>> np.allclose(by_w @ step, (moved[0] - moved[1]) / 2)
+        True
+        """
+        found = call(self._chart, "local_jacobians", axis, None, v2, v1)
+        return separate(found, axis, JACOBIAN, JACOBIAN)
+
+    def body_local_jacobians(self, v2: ArrayLike, v1: ArrayLike, *, axis: int = -1) -> tuple[Array, ...]:
+        r"""Return the derivatives of ``δ = body_local(v2, v1)`` by v2 and by v1, on the principal branch.
+
+        ``∂δ/∂v2 = dexp(−δ)⁻¹ T(v2)ᵀ`` and ``∂δ/∂v1 = −dexp(δ)⁻¹ T(v1)ᵀ``.
+
+        Parameters
+        ----------
+        v2, v1 : array, shape (..., 3)
+            Vectors φ(α) u of the chart (dimensionless). Complex numbers are a TypeError.
+        axis : {-1, 0}, component axis of arguments and results
+
+        Returns
+        -------
+        by_v2, by_v1 : array, shape (..., 3, 3)
+            Rows: components of the result. Columns: components of the argument.
+
+        Examples
+        --------
+        >>> v, w, step = np.arange(3) / 10, np.full(3, 0.2), np.full(3, 1e-6)
+        >>> by_w, by_v = cayley2.body_local_jacobians(w, v)
+        >>> moved = cayley2.body_local(w, [v + step, v - step])
+        >>> np.allclose(by_v @ step, (moved[0] - moved[1]) / 2)
+        True
+        """
+        found = call(self._chart, "body_local_jacobians", axis, None, v2, v1)
+        return separate(found, axis, JACOBIAN, JACOBIAN)
+
     def interpolate(self, v1: ArrayLike, v2: ArrayLike, t: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
         r"""Return the vector at t on the motion of constant twist from v1 (t = 0) to v2 (t = 1): ``exp(t δ) R(v1)``.
 
@@ -836,8 +870,7 @@ class RotationKernels(Kernels):
             Vectors φ(α) u of the chart (dimensionless). Complex numbers are a TypeError.
         t : array, shape (...)
             Fraction of the motion, any number; broadcasts with the batch.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -866,8 +899,7 @@ class RotationKernels(Kernels):
             Vector φ(α) u of the chart (dimensionless).
         v_dot : array, shape (..., 3)
             Time derivative of v (1/s).
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -892,8 +924,7 @@ class RotationKernels(Kernels):
             Vector φ(α) u of the chart (dimensionless).
         omega : array, shape (..., 3)
             Twist, for rotations the angular velocity in the space frame (rad/s).
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -918,8 +949,7 @@ class RotationKernels(Kernels):
             Vector φ(α) u of the chart (dimensionless).
         v_dot : array, shape (..., 3)
             Time derivative of v (1/s).
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -947,8 +977,7 @@ class RotationKernels(Kernels):
             Time derivative of v (1/s).
         v_ddot : array, shape (..., 3)
             Second time derivative of v (1/s²).
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -976,8 +1005,7 @@ class RotationKernels(Kernels):
             Twist, for rotations the angular velocity in the space frame (rad/s).
         omega_dot : array, shape (..., 3)
             Time derivative of the angular velocity in the space frame (rad/s²).
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -1003,8 +1031,7 @@ class RotationKernels(Kernels):
             Vector φ(α) u of the chart (dimensionless).
         v_dot : array, shape (..., 3)
             Time derivative of v (1/s).
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -1029,8 +1056,7 @@ class RotationKernels(Kernels):
             Vector φ(α) u of the chart (dimensionless).
         omega : array, shape (..., 3)
             Twist, for rotations the angular velocity in the space frame (rad/s).
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -1057,8 +1083,7 @@ class RotationKernels(Kernels):
             Vector φ(α) u of the chart (dimensionless).
         v0 : array, shape (..., 3)
             Vector at the initial time, on the branch that the motion continues to v.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -1083,8 +1108,7 @@ class RotationKernels(Kernels):
             Vector φ(α) u of the chart (dimensionless).
         z : array, shape (..., 3)
             Wrench, for rotations the moment in the space frame.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -1110,8 +1134,7 @@ class RotationKernels(Kernels):
             Vector φ(α) u of the chart (dimensionless).
         z : array, shape (..., 3)
             Wrench, for rotations the moment in the space frame.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -1139,8 +1162,7 @@ class RotationKernels(Kernels):
         delta : array, shape (..., 3)
             Rotation vector of the step (rad): an angular velocity times its time.
             Complex numbers are a TypeError.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -1192,8 +1214,7 @@ class RotationKernels(Kernels):
         ----------
         v2, v1 : array, shape (..., 3)
             Vectors φ(α) u of the chart (dimensionless). Complex numbers are a TypeError.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -1220,8 +1241,7 @@ class RotationKernels(Kernels):
             Vector φ(α) u of the chart (dimensionless).
         v_dot : array, shape (..., 3)
             Time derivative of v (1/s).
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -1246,8 +1266,7 @@ class RotationKernels(Kernels):
             Vector φ(α) u of the chart (dimensionless).
         omega : array, shape (..., 3)
             Twist, for rotations the angular velocity in the body frame (rad/s).
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -1272,8 +1291,7 @@ class RotationKernels(Kernels):
             Vector φ(α) u of the chart (dimensionless).
         v_dot : array, shape (..., 3)
             Time derivative of v (1/s).
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -1301,8 +1319,7 @@ class RotationKernels(Kernels):
             Time derivative of v (1/s).
         v_ddot : array, shape (..., 3)
             Second time derivative of v (1/s²).
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -1330,8 +1347,7 @@ class RotationKernels(Kernels):
             Twist, for rotations the angular velocity in the body frame (rad/s).
         omega_dot : array, shape (..., 3)
             Time derivative of the angular velocity in the body frame (rad/s²).
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -1357,8 +1373,7 @@ class RotationKernels(Kernels):
             Vector φ(α) u of the chart (dimensionless).
         v_dot : array, shape (..., 3)
             Time derivative of v (1/s).
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -1383,8 +1398,7 @@ class RotationKernels(Kernels):
             Vector φ(α) u of the chart (dimensionless).
         omega : array, shape (..., 3)
             Twist, for rotations the angular velocity in the body frame (rad/s).
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -1411,8 +1425,7 @@ class RotationKernels(Kernels):
             Vector φ(α) u of the chart (dimensionless).
         v0 : array, shape (..., 3)
             Vector at the initial time, on the branch that the motion continues to v.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -1437,8 +1450,7 @@ class RotationKernels(Kernels):
             Vector φ(α) u of the chart (dimensionless).
         z : array, shape (..., 3)
             Wrench, for rotations the moment in the body frame.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -1464,8 +1476,7 @@ class RotationKernels(Kernels):
             Vector φ(α) u of the chart (dimensionless).
         z : array, shape (..., 3)
             Wrench, for rotations the moment in the body frame.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -1493,8 +1504,7 @@ class RotationKernels(Kernels):
         delta : array, shape (..., 3)
             Rotation vector of the step (rad): an angular velocity times its time.
             Complex numbers are a TypeError.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------
@@ -1546,8 +1556,7 @@ class RotationKernels(Kernels):
         ----------
         v2, v1 : array, shape (..., 3)
             Vectors φ(α) u of the chart (dimensionless). Complex numbers are a TypeError.
-        axis : {-1, 0}, component axis of arguments and result
-        out : array, optional, for the result; it may overlap an argument
+        axis, out : component axis {-1, 0}; array for the result, optional, may overlap an argument
 
         Returns
         -------

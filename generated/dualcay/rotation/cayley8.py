@@ -12,9 +12,9 @@ The functions are methods of `RotationKernels`, which explains shapes and conven
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from .._chart import Chart
 from .._interface import exports
 from ..cayley8 import CHART as POSES
 from . import _geometry
@@ -22,17 +22,7 @@ from ._interface import RotationKernels
 
 ORDER = 8
 
-# branches and scalar programs are shared with poses; the geometry programs are for rotations
-CHART = Chart(
-    __name__,
-    POSES.branches,
-    POSES.singular_angles,
-    POSES.turns,
-    POSES.returns,
-    POSES.functions,
-    _geometry.KERNELS,
-    programs="b2544151c1fffb97",
-)
+CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="11c43bb6e0b47c9d")
 
 KERNELS = RotationKernels(CHART)
 dcay = KERNELS.tangent

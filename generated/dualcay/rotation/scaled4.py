@@ -12,9 +12,9 @@ The functions are methods of `RotationKernels`, which explains shapes and conven
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from .._chart import Chart
 from .._interface import exports
 from ..scaled4 import CHART as POSES
 from . import _geometry
@@ -22,17 +22,7 @@ from ._interface import RotationKernels
 
 ORDER = 4
 
-# branches and scalar programs are shared with poses; the geometry programs are for rotations
-CHART = Chart(
-    __name__,
-    POSES.branches,
-    POSES.singular_angles,
-    POSES.turns,
-    POSES.returns,
-    POSES.functions,
-    _geometry.KERNELS,
-    programs="f81124a46ab26e05",
-)
+CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="301ed83ec0f9bfab")
 
 KERNELS = RotationKernels(CHART)
 # the functions of this module are the methods of KERNELS

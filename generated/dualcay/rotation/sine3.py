@@ -12,9 +12,9 @@ The functions are methods of `RotationKernels`, which explains shapes and conven
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from .._chart import Chart
 from .._interface import exports
 from ..sine3 import CHART as POSES
 from . import _geometry
@@ -22,18 +22,7 @@ from ._interface import RotationKernels
 
 ORDER = 3
 
-# branches and scalar programs are shared with poses; the geometry programs are for rotations
-CHART = Chart(
-    __name__,
-    POSES.branches,
-    POSES.singular_angles,
-    POSES.turns,
-    POSES.returns,
-    POSES.functions,
-    _geometry.KERNELS,
-    programs="1e25a2df2ce079d3",
-    ends=True,
-)
+CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="94c4d775c04bc1d2")
 
 KERNELS = RotationKernels(CHART)
 # the functions of this module are the methods of KERNELS

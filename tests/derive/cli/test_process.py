@@ -58,14 +58,15 @@ def test_folder_name_that_is_not_utf8_is_printed_unchanged():
 
 
 @pytest.mark.parametrize(
-    "arguments", [["--help"], ["-h"], ["--version"], ["-V"], ["generate", "--help"], ["verify", "--help"]]
+    "arguments",
+    [["--help"], ["-h"], ["--version"], ["-V"], ["generate", "--help"], ["verify", "--help"], ["show", "--phi", "a#b"]],
 )
-def test_help_and_version_load_nothing_heavy(arguments: list[str]):
+def test_help_version_and_wrong_syntax_load_nothing_heavy(arguments: list[str]):
     code = (
         "import sys\nfrom derive.__main__ import main\ncode = main()\n"
-        "sys.exit(code or any(name in sys.modules for name in ('sympy', 'numpy', 'rich', 'jinja2')))"
+        "sys.exit(10 * code + any(name in sys.modules for name in ('sympy', 'numpy', 'rich', 'jinja2')))"
     )
-    assert in_a_process(*arguments, code=code).returncode == 0
+    assert in_a_process(*arguments, code=code).returncode == (20 if "--phi" in arguments else 0)
 
 
 def test_help_takes_at_most_150_ms_more_than_python():

@@ -31,6 +31,10 @@ Sides = Mapping[tuple[str, str], set[bool]]
 """Observed truth values of each comparison, by program and name."""
 
 
+OF_A_WAY = ("local_jacobians", "body_local_jacobians")
+"""Programs with T⁻¹ of the exponential at the way between two vectors, within half a turn: one comparison is true."""
+
+
 class Watched:
     """Runner of a chart's programs on numbers of 50 digits; it records the truth values of comparisons."""
 
@@ -86,7 +90,7 @@ def test_every_comparison_is_true_and_false_in_some_case(n: int) -> None:
     # at orders 1 and 2, some comparisons change only at the edge of the chart
     found = sides(n)
     assert len(found) > 15
-    assert one_sided(found) == []
+    assert sorted(program for program, _ in one_sided(found)) == sorted(OF_A_WAY)
 
 
 def test_fewer_cases_leave_comparisons_one_sided() -> None:

@@ -109,7 +109,8 @@ ROOTS = [
 FORTY = [*TANGENTS, *SINES, *SUMS, *QUOTIENTS, *ROOTS]
 """Several φ make one package, because each package checks the geometry that its charts share."""
 TARGETS = ("numpy", "array-api", "numba")
-COMPILED = ("4*tan(alpha/5)", "asin(alpha/13)")  # φ generated for C: one with a pole, one with an inverse function
+COMPILED = ("4*tan(alpha/5)", "asin(alpha/13)", "alpha/(1 + alpha**2/40)")
+"""φ generated for C: one with a pole, one with an inverse function, one with a fold."""
 SAMPLE = ("5*tan(alpha/6)", "2*sin(alpha/2)", "sin(alpha/3)/(1 + cos(alpha/3))")
 """φ that every run tests, the fastest of each kind; other packages are marked thorough."""
 THOROUGH = [("c", COMPILED), *((TARGETS[i % 3], FORTY[i::6]) for i in range(6))]

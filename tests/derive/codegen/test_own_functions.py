@@ -61,10 +61,11 @@ SLIPS = {
 }
 EQUIVALENT = re.compile(
     r'"""|\\|still|near|lost|_in\b|resting|versine|belowhalf|50[57]|sign;|xp|N / N|= number|further|# '
-    r"|off = |within = |beside1 = |beyond1 = |slope = \(_?1 |ss\w* - ss|square - square|none = |one = "
+    r"|off = |within = |beside1 = |beyond1 = |slope = \(_?1 |ss\w* - ss|square - square|none = |one = |clear = |size \+"
 )
 """Lines in which no slip changes a result: terms and factors of 0, limits of series, rounding corrections, slopes read
-at 0, turns by a period of tan, and the angle that is turned back or not in a chart up to π."""
+at 0, turns by a period of tan, the choice between equal forms, what counts as half a turn by rounding, and the angle
+that is turned back or not in a chart up to π."""
 
 
 def slips(text: str, count: int, seed: int) -> Iterator[tuple[str, str]]:

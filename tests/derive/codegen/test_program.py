@@ -80,6 +80,8 @@ def test_shared_value_needs_a_name_that_is_unique():
     trace.name("ab", shared)
     with pytest.raises(ValueError, match="'ab' is already taken"):
         trace.name("ab", a - b)
+    with pytest.raises(ValueError, match="'short' is already taken in this program, or is a keyword"):
+        trace.name("short", a - b)
 
 
 def test_multiples_and_products_are_named_after_their_factors():

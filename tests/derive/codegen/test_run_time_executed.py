@@ -28,8 +28,7 @@ ALTERED = {
         "numpy", "_stepping.py", 'centre) if frame == "space"', 'centre) if frame == "body"', "propagate, lie, space",
     ),
     "start beyond the limit": (
-        "numpy", "_propagate.py", "(math.pi < angle and not switched)", "(math.pi < angle)",
-        "propagate, chart, space: switches",
+        "numpy", "_propagate.py", "module.principal(v) if switched else v", "v", "propagate, chart, space: switches",
     ),
     "frame of the noise": (
         "numpy", "_trajectory.py", 'if self.problem.frame == "space" else tensors', "if False else tensors",

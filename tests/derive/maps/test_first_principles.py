@@ -1,4 +1,4 @@
-"""Tangent operators and exponential maps from first principles; Cayley formula and Rodrigues vector of K10."""
+"""Tangent operators and exponential maps from first principles; compositions in closed form."""
 
 from __future__ import annotations
 
@@ -14,7 +14,6 @@ from derive.algebra import Dual, Quaternion, Tensor, Vector, ZeroDivisorError, f
 from derive.maps import Cayley, closed_forms, first_principles, rodrigues, x
 from derive.maps.exponential import quaternion_exponential, tensor_exponential
 from derive.maps.first_principles import tensor_by_sandwich
-from derive.maps.pose import Screw, tensor_from_screw
 
 TINY = mpmath.mpf(10) ** -40
 Gap = Callable[[object, object], Any]
@@ -90,44 +89,6 @@ def test_formulas_are_elements_of_the_algebra(n: int) -> None:
     turned = m.tensor.isotropic @ m.tensor.isotropic.transpose
     assert [sympy.cancel(c) for c in (turned.a, turned.b, turned.c)] == [1, 0, 0]
     assert m.tangent.isotropic.x == x
-
-
-def screw(angle: float, distance: float) -> Screw:
-    u = Vector(mpmath.mpf(2), mpmath.mpf(-3), mpmath.mpf(6)) / 7
-    return Screw(Dual(mpmath.mpf(angle), mpmath.mpf(distance)), Vector.dual(u, Vector(1, 4, -2).cross(u)))
-
-
-def test_closed_forms_are_exact_on_fractions(draw_exact) -> None:
-    b = draw_exact()
-    A = rodrigues.cayley_formula(b)
-    assert list(A @ A.transpose) == list(Tensor.identity())
-    assert list(rodrigues.cayley_matrix(A)) == list(Tensor.skew(b))
-    assert list(rodrigues.rodrigues_vector(A)) == list(b)
-    assert list(A) == list(closed_forms.tensor(1, b.dot(b)).tensor(b))
-
-
-@pytest.mark.parametrize("angle", [0.7, 2.9, -1.1, 4.5])
-def test_vector_is_the_tangent_of_half_the_angle_along_the_axis(angle: float, gap) -> None:
-    motion = screw(angle, 0.4)
-    b = rodrigues.rodrigues_vector(tensor_from_screw(motion))
-    half = motion.angle / 2
-    tangent = half.apply(mpmath.tan, lambda a: 1 + mpmath.tan(a) ** 2)
-    assert gap(b, motion.axis * tangent) < 1e-45
-
-
-def test_direction_is_the_axis_up_to_a_half_turn_and_opposite_beyond(gap) -> None:
-    for angle, sign in ((2.0, 1), (4.0, -1)):
-        motion = screw(angle, -1.5)
-        s = rodrigues.direction(rodrigues.rodrigues_vector(tensor_from_screw(motion)))
-        assert gap(s, motion.axis * sign) < 1e-45
-
-
-def test_half_turns_have_no_matrix() -> None:
-    half_turn = Tensor(((1, 0, 0), (0, -1, 0), (0, 0, -1))).map(Fraction)
-    with pytest.raises(ZeroDivisionError):
-        rodrigues.cayley_matrix(half_turn)
-    with pytest.raises(ZeroDivisionError):
-        rodrigues.rodrigues_vector(half_turn)
 
 
 def tensor(n: int, v: Vector) -> Tensor:

@@ -131,7 +131,7 @@ def test_constants_have_their_values() -> None:
 def test_quantities_with_separate_real_and_dual_parts() -> None:
     apart = {quantity.name for quantity in QUANTITIES.values() if quantity.apart}
     real = {name for name, kind in KINDS.items() if not kind.dual} - {"rotation"}
-    assert apart == {*real, "real tensor", "real quaternion", "proposition", "line", "dual unit"}
+    assert apart == {*real, "real tensor", "real quaternion", "proposition", "line", "function of parts", "dual unit"}
 
 
 def test_exact_values_have_the_declared_number_of_symbols() -> None:

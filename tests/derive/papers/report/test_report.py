@@ -72,7 +72,7 @@ def test_text_shows_counts_and_corrections_side_by_side(report) -> None:
     text = FORMATS["text"](report)
     assert re.search(r"K10 +│ +2 │ +1 │ +3 │ +1 │ +7 │", text)
     assert "b₁* = (s₁* Tan f/2 + s₁ s₂ b₂* + s₁ s₃" in text
-    assert "0 < f < π" in text
+    assert "0 < f ; f < π" in text
     assert "\\" not in text
     assert max(map(cell_len, text.splitlines())) <= 120
 

@@ -1,9 +1,0 @@
-"""Entries of the paper in printed order, one module for each section, and the names that all sections use."""
-
-from ...equation import *
-from ...language.common_definitions import *
-from ...language.environment import *
-from ...language.operator_table import *
-from ...language.printed import *
-from ...numbers.draw import Draw as Draw
-from ..k10_notation import *
