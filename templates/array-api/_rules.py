@@ -152,7 +152,7 @@ def _rescaled(function: Callable[..., Any], at: Motions, v: Array, rate: Array) 
     n = v.shape[-1]
     rows, changes = (components(m, array, (n,), -1) for array in (v, rate))
     (re, du), (dre, ddu) = ((part[:3], part[3:]) for part in (rows, changes))
-    share, slope, bend = function(m, m.scalars(at.chart), m.scalars(at.steps.chart), _dot(re, re))
+    share, slope, bend, *_ = function(m, m.scalars(at.chart), m.scalars(at.steps.chart), _dot(re, re))
     along = _dot(re, dre)
     found = [share * d + slope * along * r for r, d in zip(re, dre, strict=True)]
     if du:

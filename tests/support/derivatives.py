@@ -2,49 +2,57 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
-from functools import partial
-from types import ModuleType
+import importlib
+from collections.abc import Callable, Iterator, Mapping
+from functools import cache, partial
 from typing import Any
 
 import mpmath
 import numpy as np
 
-from derive.codegen.signatures import PUBLIC
+from derive.codegen.rows import Table
+from derive.codegen.signatures import POSES
 from tests.support.families import ORACLES
 from tests.support.libraries import QUICKLY
 from tests.support.oracle import Oracle
-
-DIGITS = 100
-STEP = 1e-25
-"""Step of central differences; with 100 digits they keep 50, at second derivatives too."""
 
 GATE = 50  # largest error, in eps of the size of a derivative and of its change by the rounding of arguments
 ROUND = {"from_quaternion": "quaternion", "from_tensor": "tensor", "from_pose": "pose"}
 """Inverse maps, each tried after the map that gives its argument: their argument has no derivative on its own."""
 
+OF_AXIS = ("angle", "to_screw", "to_angle_axis", "shadow", "shadow_jacobian")
+"""Functions of an axis: without rotation they have no derivative, and beside it derivatives grow without bound."""
+
+SIDES = ("principal", *ROUND)
+"""Functions that jump at half a turn."""
+
 AXIS = np.array([2, -2, 1]) / 3
-Library = Callable[..., dict[str, np.ndarray]]
+ANGLES = (1e-1, 1e-4, 1e-8, 1e-16, 1e-30, 1e-300)
+Library = Callable[..., Mapping[str, np.ndarray]]
 
 
-def oracle(name: str) -> Oracle:
+@cache
+def oracle(name: str, digits: int) -> Oracle:
     if name.startswith("cayley"):
-        return Oracle(int(name.removeprefix("cayley")), DIGITS)
+        return Oracle(int(name.removeprefix("cayley")), digits)
     kind, order = ORACLES[name]
-    return kind(order, DIGITS)
+    return kind(order, digits)
 
 
-def points(kernel: ModuleType) -> Iterator[tuple[str, np.ndarray]]:
-    """Yield vectors by regime: the identity, translations, tiny angles, far translations, about π, below 2π."""
-    yield "identity", np.zeros(6)
-    yield "translation", np.array([0, 0, 0, 1.0, 2, 3])
-    for angle in (1e-1, 1e-8, 1e-16, 1e-300):
+def points(chart: str) -> Iterator[tuple[str, float, np.ndarray]]:
+    """Yield regime, angle and vector: the identity, translations, tiny angles, far translations, about π, below 2π."""
+    kernel = importlib.import_module(f"dualcay.{chart}")
+    yield "identity", 0.0, np.zeros(6)
+    yield "translation", 0.0, np.array([0, 0, 0, 1.0, 2, 3])
+    for angle in ANGLES:
         for far in (1.0, 1e6):
-            yield f"angle {angle:g}, translation {far:g}", np.array([*angle * AXIS, far, 2 * far, 3 * far])
-    for name, angle in (("generic", 1.3), ("half turn", np.pi), ("below 2π", 2 * np.pi - 1e-3)):
-        yield name, kernel.from_exponential(np.array([*angle * AXIS, 0.3, -0.5, 0.7]))
-    for off in (1e-3, -1e-3, 1e-9, -1e-9):
-        yield f"π {off:+g}", kernel.from_exponential(np.array([*(np.pi + off) * AXIS, 0.3, -0.5, 0.7]))
+            yield f"angle {angle:g}, translation {far:g}", angle, np.array([*angle * AXIS, far, 2 * far, 3 * far])
+    about = {f"π {off:+g}": np.pi + off for off in (1e-3, -1e-3, 1e-6, -1e-6, 1e-9, -1e-9)}
+    for regime, angle in {"generic": 1.3, "half turn": np.pi, **about, "below 2π": 2 * np.pi - 1e-3}.items():
+        with np.errstate(all="ignore"):
+            v = kernel.from_exponential(np.array([*angle * AXIS, 0.3, -0.5, 0.7]))
+            if np.isfinite(kernel.pose(v)).all():
+                yield regime, angle, v
 
 
 def flat(found: Any) -> Any:
@@ -53,53 +61,83 @@ def flat(found: Any) -> Any:
 
 
 class Case:
-    """Function of one flat argument, in a module and in the oracle, at a vector and along two directions."""
+    """Function of one flat argument, in a module and in the oracle, at vectors by regime and along two directions."""
 
-    def __init__(self, chart: str, name: str, v: np.ndarray) -> None:
-        self.chart, self.name, rng = oracle(chart), name, np.random.default_rng(len(name))
-        self.arguments = PUBLIC[name].arguments
-        rest = [0.3 * rng.normal(size=a.size) for a in self.arguments[1:]]
-        self.at = np.concatenate([v, *rest])
-        self.along, self.second, self.change = rng.normal(size=(3, self.at.size))
-        self.change = self.at * np.sign(self.change)
+    def __init__(self, chart: str, name: str, table: Table = POSES, dtype: Any = np.float64) -> None:
+        self.row, self.forward, self.dtype = table.public[name], ROUND.get(name), dtype
+        self.given = table.public[self.forward] if self.forward else self.row
+        self.step, self.digits = ("1e-60", 200) if self.row.source in OF_AXIS else ("1e-25", 100)
+        self.oracle, rng = oracle(chart, self.digits), np.random.default_rng(len(name))
+        size = sum(a.size for a in self.given.arguments)
+        rest = [0.3 * rng.normal(size=a.size) for a in self.given.arguments[1:]]
+        self.along, self.second, self.signs = rng.normal(size=(3, size)).astype(dtype)
+        self.at = {
+            regime: np.concatenate([*self._start(angle, v), *rest])[-size:].astype(dtype)
+            for regime, angle, v in points("exponential" if name == "from_exponential" else chart)
+            if not self._undefined(angle)
+        }
+
+    def _undefined(self, angle: float) -> bool:
+        """Return whether a derivative is missing at an angle, or beyond the range of floats beside it."""
+        half = abs(angle - np.pi) < 50 * np.finfo(self.dtype).eps
+        return (self.row.source in OF_AXIS and angle < 1e-9) or (self.row.name in SIDES and half)
+
+    def _start(self, angle: float, v: np.ndarray) -> list[np.ndarray]:
+        """Return the first argument at a vector of the chart: the vector, or its angle and axis."""
+        if self.row.source == "from_screw":
+            v = np.array([angle, 0.2])
+            return [v[: self.row.arguments[0].size], np.array([*AXIS, 0.3, -0.5, 0.7])[: self.row.arguments[1].size]]
+        return [v[: self.given.arguments[0].size]]
 
     def split(self, z: Any) -> list[Any]:
-        ends = np.cumsum([a.size for a in self.arguments])
-        return [z[end - a.size : end].reshape(a.shape) for a, end in zip(self.arguments, ends, strict=True)]
+        sizes = [a.size for a in self.given.arguments]
+        return [z[end - size : end] for size, end in zip(sizes, np.cumsum(sizes), strict=True)]
 
     def of(self, module: Any) -> Callable[[Any], Any]:
         """Return the function of a module, or its round trip for an inverse map."""
-        if forward := ROUND.get(self.name):
-            return lambda z: getattr(module, self.name)(getattr(module, forward)(z))
-        return lambda z: getattr(module, self.name)(*self.split(z))
+        outer = getattr(module, self.row.name) if self.forward else lambda found: found
 
-    def exact(self) -> tuple[np.ndarray, np.ndarray, float, float]:
+        def function(z: Any) -> Any:
+            parts = zip(self.split(z), self.given.arguments, strict=True)
+            return outer(getattr(module, self.given.name)(*(part.reshape(a.shape) for part, a in parts)))
+
+        return function
+
+    def value(self, z: Any) -> Any:
+        """Return the flat result of the oracle."""
+        arguments = (self.given.pose or self.given).arguments
+        parts = zip(self.given.embedded(self.split(z), mpmath.mpf(0)), arguments, strict=True)
+        found = getattr(self.oracle, self.given.source)(*(np.array(part).reshape(a.shape) for part, a in parts))
+        return np.array(self.row.part(flat(getattr(self.oracle, self.row.source)(found) if self.forward else found)))
+
+    def exact(self, at: np.ndarray) -> tuple[np.ndarray, np.ndarray, float, float]:
         """Return first and second derivatives of the oracle, and their sizes with their changes by rounding."""
-        with mpmath.workdps(DIGITS):
-            h, at = mpmath.mpf(STEP), np.array([mpmath.mpf(c) for c in self.at])
-            along, second, change = (
-                np.array([mpmath.mpf(c) for c in d]) for d in (self.along, self.second, self.change)
-            )
+        with mpmath.workdps(self.digits):
+            h, number = mpmath.mpf(self.step), np.vectorize(lambda c: mpmath.mpf(float(c)), otypes=[object])
+            along, second, change = map(number, (self.along, self.second, at * np.sign(self.signs)))
 
             def slope(function: Any, direction: Any) -> Any:
                 return lambda z: (function(z + h * direction) - function(z - h * direction)) / (2 * h)
 
-            value = lambda z: flat(self.of(self.chart)(z))  # noqa: E731
-            first = slope(value, along)
+            first = slope(self.value, along)
             bend = slope(first, second)
-            terms = value, first, slope(first, change), bend, slope(bend, change)
-            sizes = [max(abs(c) for c in term(at)) for term in terms]
-            small, large = float(max(sizes[:3])), float(max(sizes))
-            return first(at).astype(float), bend(at).astype(float), small, large
+            terms = self.value, first, slope(first, change), bend, slope(bend, change)
+            found = [term(number(at)) for term in terms]
+            sizes = [max(map(abs, term)) for term in found]
+            return found[1].astype(float), found[3].astype(float), float(max(sizes[:3])), float(max(sizes))
 
 
-def errors(case: Case, module: Any, library: Library, dtype: Any = np.float64) -> dict[str, float]:
-    """Return errors of all modes, in eps of the sizes."""
-    case.at = case.at.astype(dtype).astype(float)
-    first, second, small, large = case.exact()
-    eps, found = np.finfo(dtype).eps, library(case.of(module), case.at, case.along, case.second, dtype)
-    pairs = {mode: (second, large) if "," in mode else (first, small) for mode in found}
-    return {mode: float(np.max(abs(found[mode] - pairs[mode][0]))) / pairs[mode][1] / eps for mode in found}
+def errors(case: Case, module: Any, library: Library) -> dict[tuple[str, str], float]:
+    """Return errors of all modes by regime and mode, in eps of the sizes."""
+    found = library(case.of(module), np.stack(list(case.at.values())), case.along, case.second)
+    worst = {}
+    for place, (regime, at) in enumerate(case.at.items()):
+        first, second, small, large = case.exact(at)
+        for mode, values in found.items():
+            expected, size = (second, large) if "," in mode else (first, small)
+            error = np.max(abs(values[place].astype(float) - expected)) / size / np.finfo(case.dtype).eps
+            worst[regime, mode] = float(error)
+    return worst
 
 
 def modes(jvp: Any, jacrev: Any, function: Any, at: Any, along: Any, second: Any) -> dict[str, Any]:
@@ -119,23 +157,24 @@ def modes(jvp: Any, jacrev: Any, function: Any, at: Any, along: Any, second: Any
 
 
 def by_jax(function: Any, *given: Any) -> dict[str, np.ndarray]:
+    """Return derivatives at a batch of points by one compiled call."""
     import jax
 
     def flat_of(z: Any) -> Any:
         return jax.numpy.concatenate([part.ravel() for part in jax.tree.leaves(function(z))])
 
-    *values, dtype = given
-    compiled = jax.jit(partial(modes, jax.jvp, jax.jacrev, flat_of), compiler_options=QUICKLY)
-    return {mode: np.asarray(found) for mode, found in compiled(*(value.astype(dtype) for value in values)).items()}
+    mapped = jax.vmap(partial(modes, jax.jvp, jax.jacrev, flat_of), in_axes=(0, None, None))
+    return {mode: np.asarray(found) for mode, found in jax.jit(mapped, compiler_options=QUICKLY)(*given).items()}
 
 
 def by_torch(function: Any, *given: Any) -> dict[str, np.ndarray]:
+    """Return derivatives at a batch of points."""
     import torch
 
     def flat_of(z: Any) -> Any:
         found = function(z)
         return torch.cat([part.reshape(-1) for part in (found if isinstance(found, tuple) else (found,))])
 
-    *values, dtype = given
-    tensors = [torch.asarray(value.astype(dtype)) for value in values]
-    return {mode: found.numpy() for mode, found in modes(torch.func.jvp, torch.func.jacrev, flat_of, *tensors).items()}
+    one = partial(modes, torch.func.jvp, torch.func.jacrev, flat_of)
+    mapped = torch.func.vmap(one, in_dims=(0, None, None))
+    return {mode: found.numpy() for mode, found in mapped(*map(torch.asarray, given)).items()}

@@ -16,6 +16,7 @@ from ..lowering.scalar_programs import SCALARS, SQUARES
 from ..package import Data, Facts
 from ..rows import Table
 from ..validation import Library, Machinery, runtime
+from ..validation.slopes import slopes
 from .python import PythonTarget, printed_scalars
 
 STRICT = "array_api_strict"
@@ -58,7 +59,7 @@ class ArrayApi(PythonTarget):
     options = "axis: int = -1"
     files = (*PythonTarget.files, "_jax.py", "_rules.py", "_torch.py")
     machinery = Machinery(out=False, silent=False)
-    checks = (*PythonTarget.checks, runtime.steps, runtime.slopes, runtime.rules)
+    checks = (*PythonTarget.checks, runtime.steps, slopes, runtime.rules)
 
     def shared(self) -> dict[str, Data]:
         """Return the data of all shared files, with the exponential's scalars for the rules of differentiation."""

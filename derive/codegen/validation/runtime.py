@@ -221,28 +221,3 @@ def rules(at: Loaded) -> Iterator[Case]:
                 steps = ([v + s * rate for v, rate in zip(values, rates)] for s in (STEP, -STEP))
                 ahead, back = (rules.value_of(asked, *moved) for moved in steps)
                 yield f"rule of {name} of {n} components", slope, (ahead - back) / (2 * STEP)
-
-
-MANIFOLD = ("ray", "natural", "tangent_inv_at", "inverse_at")
-"""Scalar programs with arguments or sizes that depend on one another; tests differentiate kernels that call them."""
-
-
-def slopes(at: Loaded) -> Iterator[Case]:
-    """Cases of the slopes of scalar programs: along x, an angle, or changes that keep the size of a quaternion."""
-    part, chart = at.part("_slopes"), at.module().CHART
-    m, c = at.part("_runtime").functions_of("x", np.ones(1)), part.Ruled(chart)
-    x, e, turned = 0.0625, (0.8, 0.36, 0.48, 0.0), (-0.6, 0.48, 0.64, 0.0)
-    given = {1: ((x,), (1.0,)), 3: ((x / 2, x / 4, x / 4), (1.0, 0.5, -0.25))}
-    given |= {5: ((*e, 1.0), (*turned, 0.0))}
-    for name, rule in part.SLOPES.items():
-        row = SCALARS[name]
-        if rule is None or name in MANIFOLD or len(row.arguments) not in given:
-            continue
-        values, rates = (np.array(numbers)[:, None] for numbers in given[len(row.arguments)])
-        program = getattr(chart.scalars, name)
-        found = program(m, *values)
-        ends = part.LAST[name](m, c, program, found, values) if name in part.LAST else ()
-        rows = rule(m, c, found, values)[: len(found) - len(ends)]
-        ahead, back = (np.hstack(program(m, *(values + s * rates))[: len(rows)]) for s in (STEP, -STEP))
-        slope = np.hstack([sum(p * r for p, r in zip(partials, rates)) for partials in rows])
-        yield f"slopes of {name}", slope, (ahead - back) / (2 * STEP)
