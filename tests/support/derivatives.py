@@ -1,17 +1,28 @@
-"""First and second derivatives of kernels by JAX or PyTorch, beside differences of the oracle with 100 digits."""
+"""First and second derivatives of kernels by JAX or PyTorch, beside differences of the oracle with 100 digits.
+
+``python -m tests.support.derivatives jax --seconds 1500 --seed 1`` tries functions in all charts for some time.
+"""
 
 from __future__ import annotations
 
+import argparse
 import importlib
+import random
+import sys
+import tempfile
 from collections.abc import Callable, Iterator, Mapping
 from functools import cache, partial
+from pathlib import Path
+from time import process_time
 from typing import Any
 
 import mpmath
 import numpy as np
 
+from derive.about import FAMILIES, ORDERS
 from derive.codegen.rows import Table
-from derive.codegen.signatures import POSES
+from derive.codegen.signatures import POSES, ROTATIONS
+from tests.support import packages
 from tests.support.families import ORACLES
 from tests.support.libraries import QUICKLY
 from tests.support.oracle import Oracle
@@ -20,14 +31,15 @@ GATE = 50  # largest error, in eps of the size of a derivative and of its change
 ROUND = {"from_quaternion": "quaternion", "from_tensor": "tensor", "from_pose": "pose"}
 """Inverse maps, each tried after the map that gives its argument: their argument has no derivative on its own."""
 
-OF_AXIS = ("angle", "to_screw", "to_angle_axis", "shadow", "shadow_jacobian")
+OF_AXIS = ("angle", "to_screw", "shadow", "shadow_jacobian")
 """Functions of an axis: without rotation they have no derivative, and beside it derivatives grow without bound."""
 
-SIDES = ("principal", *ROUND)
+SIDES = ("principal", "to_screw", "shadow", "shadow_jacobian", *ROUND)
 """Functions that jump at half a turn."""
 
 AXIS = np.array([2, -2, 1]) / 3
 ANGLES = (1e-1, 1e-4, 1e-8, 1e-16, 1e-30, 1e-300)
+TYPES = np.float64, np.float32
 Library = Callable[..., Mapping[str, np.ndarray]]
 
 
@@ -65,6 +77,7 @@ class Case:
 
     def __init__(self, chart: str, name: str, table: Table = POSES, dtype: Any = np.float64) -> None:
         self.row, self.forward, self.dtype = table.public[name], ROUND.get(name), dtype
+        self.eps = np.finfo(dtype).eps
         self.given = table.public[self.forward] if self.forward else self.row
         self.step, self.digits = ("1e-60", 200) if self.row.source in OF_AXIS else ("1e-25", 100)
         self.oracle, rng = oracle(chart, self.digits), np.random.default_rng(len(name))
@@ -72,15 +85,16 @@ class Case:
         rest = [0.3 * rng.normal(size=a.size) for a in self.given.arguments[1:]]
         self.along, self.second, self.signs = rng.normal(size=(3, size)).astype(dtype)
         self.at = {
-            regime: np.concatenate([*self._start(angle, v), *rest])[-size:].astype(dtype)
+            regime: np.concatenate([*self._start(angle, v), *rest]).astype(dtype)
             for regime, angle, v in points("exponential" if name == "from_exponential" else chart)
-            if not self._undefined(angle)
+            if not self._left_out(angle, v)
         }
 
-    def _undefined(self, angle: float) -> bool:
-        """Return whether a derivative is missing at an angle, or beyond the range of floats beside it."""
-        half = abs(angle - np.pi) < 50 * np.finfo(self.dtype).eps
-        return (self.row.source in OF_AXIS and angle < 1e-9) or (self.row.name in SIDES and half)
+    def _left_out(self, angle: float, v: np.ndarray) -> bool:
+        """Return whether a vector has no derivative, or one beyond the range of floats, or is too near the edge."""
+        resting, half = angle < 1e-9, abs(angle - np.pi) < 50 * self.eps
+        long = np.linalg.norm(v[:3]) > 1 / np.sqrt(self.eps)  # a second derivative divides by the tenth power
+        return long or (self.row.source in OF_AXIS and resting) or (self.row.source in SIDES and half)
 
     def _start(self, angle: float, v: np.ndarray) -> list[np.ndarray]:
         """Return the first argument at a vector of the chart: the vector, or its angle and axis."""
@@ -103,15 +117,22 @@ class Case:
 
         return function
 
-    def value(self, z: Any) -> Any:
-        """Return the flat result of the oracle."""
+    def before(self, z: Any) -> Any:
+        """Return the result of the oracle for the given function: that before an inverse map, or this function."""
         arguments = (self.given.pose or self.given).arguments
         parts = zip(self.given.embedded(self.split(z), mpmath.mpf(0)), arguments, strict=True)
-        found = getattr(self.oracle, self.given.source)(*(np.array(part).reshape(a.shape) for part, a in parts))
+        return getattr(self.oracle, self.given.source)(*(np.array(part).reshape(a.shape) for part, a in parts))
+
+    def value(self, z: Any) -> Any:
+        """Return the flat result of the oracle."""
+        found = self.before(z)
         return np.array(self.row.part(flat(getattr(self.oracle, self.row.source)(found) if self.forward else found)))
 
     def exact(self, at: np.ndarray) -> tuple[np.ndarray, np.ndarray, float, float]:
-        """Return first and second derivatives of the oracle, and their sizes with their changes by rounding."""
+        """Return first and second derivatives of the oracle, and their sizes with their changes by rounding.
+
+        Sizes of a round trip include those of its first map.
+        """
         with mpmath.workdps(self.digits):
             h, number = mpmath.mpf(self.step), np.vectorize(lambda c: mpmath.mpf(float(c)), otypes=[object])
             along, second, change = map(number, (self.along, self.second, at * np.sign(self.signs)))
@@ -119,12 +140,15 @@ class Case:
             def slope(function: Any, direction: Any) -> Any:
                 return lambda z: (function(z + h * direction) - function(z - h * direction)) / (2 * h)
 
-            first = slope(self.value, along)
-            bend = slope(first, second)
-            terms = self.value, first, slope(first, change), bend, slope(bend, change)
-            found = [term(number(at)) for term in terms]
-            sizes = [max(map(abs, term)) for term in found]
-            return found[1].astype(float), found[3].astype(float), float(max(sizes[:3])), float(max(sizes))
+            def terms(value: Any) -> list[Any]:
+                first = slope(value, along)
+                bend = slope(first, second)
+                return [term(number(at)) for term in (value, first, slope(first, change), bend, slope(bend, change))]
+
+            found = terms(self.value)
+            others = terms(lambda z: flat(self.before(z))) if self.forward else found
+            sizes = [float(max(map(abs, [*one, *other]))) for one, other in zip(found, others, strict=True)]
+            return found[1].astype(float), found[3].astype(float), max(sizes[:3]), max(sizes)
 
 
 def errors(case: Case, module: Any, library: Library) -> dict[tuple[str, str], float]:
@@ -135,7 +159,7 @@ def errors(case: Case, module: Any, library: Library) -> dict[tuple[str, str], f
         first, second, small, large = case.exact(at)
         for mode, values in found.items():
             expected, size = (second, large) if "," in mode else (first, small)
-            error = np.max(abs(values[place].astype(float) - expected)) / size / np.finfo(case.dtype).eps
+            error = np.max(abs(values[place].astype(float) - expected)) / size / case.eps
             worst[regime, mode] = float(error)
     return worst
 
@@ -178,3 +202,49 @@ def by_torch(function: Any, *given: Any) -> dict[str, np.ndarray]:
     one = partial(modes, torch.func.jvp, torch.func.jacrev, flat_of)
     mapped = torch.func.vmap(one, in_dims=(0, None, None))
     return {mode: found.numpy() for mode, found in mapped(*map(torch.asarray, given)).items()}
+
+
+LIBRARIES = {"jax": by_jax, "torch": by_torch}
+Try = tuple[str, str, Table, Any]
+
+
+def tries(seed: int) -> list[Try]:
+    """Return every function with both types, each in a chart drawn by a seed, in random order."""
+    charts, draw = [*(f"cayley{n}" for n in ORDERS), *FAMILIES], random.Random(seed)
+    rows = [(name, table, dtype) for table in (POSES, ROTATIONS) for name in table.public for dtype in TYPES]
+    draw.shuffle(rows)
+    draw.shuffle(charts)
+    return [(charts[i % len(charts)], *row) for i, row in enumerate(rows)]
+
+
+def above_gate(package: str, one: Try, library: Library) -> dict[tuple[str, str], float]:
+    """Return errors above the gate by regime and mode; NaN is above."""
+    chart, name, table, dtype = one
+    module = importlib.import_module(".".join(filter(None, (package, table.name, chart))))
+    found = errors(Case(chart, name, table, dtype), module, library)
+    return {place: error for place, error in found.items() if not error <= GATE}
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("library", choices=LIBRARIES)
+    parser.add_argument("--seconds", type=float, default=60, help="processor time")
+    parser.add_argument("--seed", type=int, default=0)
+    given, count, wrong = parser.parse_args(), 0, 0
+    if given.library == "jax":
+        importlib.import_module("jax").config.update("jax_enable_x64", True)
+    with tempfile.TemporaryDirectory() as folder:
+        packages.write(ORDERS, "array-api", Path(folder) / "of_tries", FAMILIES)
+        sys.path.insert(0, folder)
+        for one in tries(given.seed):
+            if process_time() > given.seconds:
+                break
+            found = above_gate("of_tries", one, LIBRARIES[given.library])
+            count, wrong = count + 1, wrong + bool(found)
+            print(one[0], one[1], one[2].name or "poses", one[3].__name__, found or "", flush=True)
+    print(f"{count} functions, {wrong} with errors above the gate")
+    return bool(wrong)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

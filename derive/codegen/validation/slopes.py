@@ -143,7 +143,8 @@ def _of_program(part: Any, m: Any, c: Programs, name: str, case: Callable[..., C
     bare = SimpleNamespace(**{**vars(m), "held": lambda a: 0})
     ends = part.LAST[name](bare, c, program, found, given) if name in part.LAST else []
     values = results(name)[: len(found) - len(ends)]
-    yield case(f"last results of {name}", ends, results(name)[len(values) :])
+    if ends:
+        yield case(f"last results of {name}", ends, results(name)[len(values) :])
     by, place = by_term, 0
     if SCALARS[name].arguments[-1] == "alpha":
         by = by_angle
