@@ -22,6 +22,7 @@ import numpy as np
 from derive.about import FAMILIES, ORDERS
 from derive.codegen.rows import Table
 from derive.codegen.signatures import POSES, ROTATIONS
+from derive.maps import Cayley, family
 from tests.support import packages
 from tests.support.families import ORACLES
 from tests.support.libraries import QUICKLY
@@ -51,20 +52,24 @@ def oracle(name: str, digits: int) -> Oracle:
     return kind(order, digits)
 
 
-def points(chart: str) -> Iterator[tuple[str, float, np.ndarray]]:
-    """Yield regime, angle and vector: the identity, translations, tiny angles, far translations, about π, below 2π."""
+def points(chart: str) -> Iterator[tuple[str, float, float, np.ndarray]]:
+    """Yield regime, angle, angle left to the edge, and vector.
+
+    Regimes are the identity, translations, tiny angles, far translations, angles about π, and an angle below 2π.
+    """
     kernel = importlib.import_module(f"dualcay.{chart}")
-    yield "identity", 0.0, np.zeros(6)
-    yield "translation", 0.0, np.array([0, 0, 0, 1.0, 2, 3])
+    edge = float((Cayley(int(chart[6:])) if chart.startswith("cayley") else family(chart)).edge)
+    yield "identity", 0.0, edge, np.zeros(6)
+    yield "translation", 0.0, edge, np.array([0, 0, 0, 1.0, 2, 3])
     for angle in ANGLES:
         for far in (1.0, 1e6):
-            yield f"angle {angle:g}, translation {far:g}", angle, np.array([*angle * AXIS, far, 2 * far, 3 * far])
+            v = np.array([*angle * AXIS, far, 2 * far, 3 * far])
+            yield f"angle {angle:g}, translation {far:g}", angle, edge, v
     about = {f"π {off:+g}": np.pi + off for off in (1e-3, -1e-3, 1e-6, -1e-6, 1e-9, -1e-9)}
     for regime, angle in {"generic": 1.3, "half turn": np.pi, **about, "below 2π": 2 * np.pi - 1e-3}.items():
+        v = kernel.from_exponential(np.array([*angle * AXIS, 0.3, -0.5, 0.7]))
         with np.errstate(all="ignore"):
-            v = kernel.from_exponential(np.array([*angle * AXIS, 0.3, -0.5, 0.7]))
-            if np.isfinite(kernel.pose(v)).all():
-                yield regime, angle, v
+            yield regime, angle, edge - float(kernel.angle(v)[0]), v
 
 
 def flat(found: Any) -> Any:
@@ -86,15 +91,15 @@ class Case:
         self.along, self.second, self.signs = rng.normal(size=(3, size)).astype(dtype)
         self.at = {
             regime: np.concatenate([*self._start(angle, v), *rest]).astype(dtype)
-            for regime, angle, v in points("exponential" if name == "from_exponential" else chart)
-            if not self._left_out(angle, v)
+            for regime, angle, left, v in points("exponential" if name == "from_exponential" else chart)
+            if not self._left_out(angle, left)
         }
 
-    def _left_out(self, angle: float, v: np.ndarray) -> bool:
-        """Return whether a vector has no derivative, or one beyond the range of floats, or is too near the edge."""
+    def _left_out(self, angle: float, left: float) -> bool:
+        """Return whether an angle has no derivative, or one beyond the range of floats, or lies on the chart's edge."""
         resting, half = angle < 1e-9, abs(angle - np.pi) < 50 * self.eps
-        long = np.linalg.norm(v[:3]) > 1 / np.sqrt(self.eps)  # a second derivative divides by the tenth power
-        return long or (self.row.source in OF_AXIS and resting) or (self.row.source in SIDES and half)
+        at_edge = left < 4 * np.sqrt(self.eps)
+        return at_edge or (self.row.source in OF_AXIS and resting) or (self.row.source in SIDES and half)
 
     def _start(self, angle: float, v: np.ndarray) -> list[np.ndarray]:
         """Return the first argument at a vector of the chart: the vector, or its angle and axis."""
