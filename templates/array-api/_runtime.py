@@ -138,7 +138,8 @@ class Ruled(Namespace):
     def __init__(self, xp: Any, like: Array) -> None:
         super().__init__(xp, like)
         own = importlib.import_module(self.library, __package__)
-        self.held, self.carry, self.ruled, self.derivative = own.held, own.carry, own.ruled, own.derivative  # type: ignore[method-assign]
+        self.held, self.carry = own.held, own.carry  # type: ignore[method-assign]
+        self.ruled, self.derivative = own.ruled, own.derivative
 
     def scalars(self, chart: Chart) -> Any:
         return importlib.import_module("._slopes", __package__).Ruled(chart)

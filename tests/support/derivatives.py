@@ -90,7 +90,7 @@ class Case:
         rest = [0.3 * rng.normal(size=a.size) for a in self.given.arguments[1:]]
         self.along, self.second, self.signs = rng.normal(size=(3, size)).astype(dtype)
         self.at = {
-            regime: np.concatenate([*self._start(angle, v), *rest]).astype(dtype)
+            regime: np.concatenate([*self._start(angle, v), *rest])[:size].astype(dtype)
             for regime, angle, left, v in points("exponential" if name == "from_exponential" else chart)
             if not self._left_out(angle, left)
         }

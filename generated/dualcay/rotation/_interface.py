@@ -139,6 +139,8 @@ class RotationKernels(Kernels):
     def to_angle_axis(self, v: ArrayLike, *, axis: int = -1) -> tuple[Array, ...]:
         r"""Return the angle and the axis of v.
 
+        They have no derivative at v = 0.
+
         Parameters
         ----------
         v : array, shape (..., 3)
