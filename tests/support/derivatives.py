@@ -189,6 +189,8 @@ def by_jax(function: Any, *given: Any) -> dict[str, np.ndarray]:
     """Return derivatives at a batch of points by one compiled call."""
     import jax
 
+    jax.config.update("jax_enable_x64", True)
+
     def flat_of(z: Any) -> Any:
         return jax.numpy.concatenate([part.ravel() for part in jax.tree.leaves(function(z))])
 
@@ -236,8 +238,6 @@ def main() -> int:
     parser.add_argument("--seconds", type=float, default=60, help="processor time")
     parser.add_argument("--seed", type=int, default=0)
     given, count, wrong = parser.parse_args(), 0, 0
-    if given.library == "jax":
-        importlib.import_module("jax").config.update("jax_enable_x64", True)
     with tempfile.TemporaryDirectory() as folder:
         packages.write(ORDERS, "array-api", Path(folder) / "of_tries", FAMILIES)
         sys.path.insert(0, folder)
