@@ -48,7 +48,7 @@ def seconds(module: Any, calls: int, mode: str) -> float:
 
 def rows(package: str, charts: Sequence[str], without: Sequence[str]) -> Iterator[tuple[str, ...]]:
     """Yield lines of seconds by chart; for some charts a second line without rules."""
-    rules = importlib.import_module(f"{package}._jax")
+    rules = importlib.import_module(f"{package}._rules")
     kept: Mapping[str, Callable[..., Any]] = rules.RULES
     for chart in charts:
         module = importlib.import_module(f"{package}.{chart}")

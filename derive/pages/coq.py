@@ -22,7 +22,8 @@ def _whole(names: str, left_out: str = "") -> InCoq:
     return InCoq(tuple(names.split()), left_out)
 
 
-_SECOND = "second derivatives of the scalars are not stated in Coq"
+_SECOND = "second and third derivatives of the scalars are not stated in Coq"
+_SHARES = "ratios of a vector to its angle or quaternion are not stated in Coq"
 _VARIATION = "the variational equation; Coq takes the pose multiplied by a constant"
 _INVERSE = "closed forms of the inverse map are not stated in Coq"
 _SHADOW = _whole("shadow change_of_chart", "the matrix S_k itself; that v_k moves so that the pose is kept")
@@ -94,6 +95,11 @@ BY_COQ: Mapping[str, InCoq] = {
     "any phi: transition, body twist given": _whole("body_transition", _VARIATION),
     "any phi: change of chart or branch": _whole("change_of_chart"),
     "any phi: second slopes": InCoq(left_out=_SECOND),
+    "any phi: third slopes": InCoq(left_out=_SECOND),
+    "any phi: third slope at a constant rate": InCoq(left_out=_SECOND),
+    "any phi: share of the angle": InCoq(left_out=_SHARES),
+    "any phi: share of the vector": InCoq(left_out=_SHARES),
+    "any phi: rate of the gain": InCoq(left_out=_SHARES),
     "growing order: angle": InCoq(left_out="a limit, to first order in 1/(2n)²"),
     "growing order: maps": InCoq(left_out="a limit, to first order in 1/(2n)²"),
     "quaternion at n": _whole("cayley_sandwich"),

@@ -59,6 +59,9 @@ TYPESET = {
     dcay_k: r"\mathrm{dcay}_n(v_k)", structure("dexp"): r"\mathrm{dexp}",
     **{sympy.Symbol(f"phi{mark}"): rf"{{\varphi{mark}}}" for mark in ("", "'", "''", "'''")},
     **{sympy.Symbol(f"{name}i"): f"{name}_i" for name in "fh"}, sympy.Symbol("psi'"): r"{\psi'}",
+    **{sympy.Symbol(name): rf"\mathrm{{{name}}}" for name in ("share", "gain", "size")},
+    sympy.Symbol("alpha_dot"): r"\dot\alpha", sympy.Symbol("size_dot"): r"\dot{\mathrm{size}}",
+    sympy.Symbol("|vec(e)|^2"): r"|\mathrm{vec}(e)|^2",
 }  # fmt: skip
 """LaTeX of symbols that SymPy cannot typeset from their names."""
 

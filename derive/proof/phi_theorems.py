@@ -31,6 +31,8 @@ cosine, sine = sympy.symbols("cos(alpha/2) sin(alpha/2)")
 psi, psi_1 = sympy.symbols("psi psi'")
 T, T_inv, other_T, other_v, change = map(structure, ("T", "T^-1", "T(w)", "w", "C"))
 s, w, f, g, h, fi, hi, rho = sympy.symbols("s w f g h fi hi rho")
+g_exp, h_exp, share, gain, size, scalar_part, vector_part = sympy.symbols("g_exp h_exp share gain size e_0 |vec(e)|^2")
+turning, growing = sympy.symbols("alpha_dot size_dot")
 
 SIN, COS = 2 * sine * cosine, 1 - 2 * sine**2
 """Sine and cosine of α."""
@@ -46,6 +48,9 @@ OF_ANGLE = (
 )
 """Derivatives by x; the derivative of α is 1/(dx/dα)."""
 OF_PHI = definition(prime(phi_1), phi_2 / TURN), definition(prime(phi_2), phi_3 / TURN)
+
+RATE_SLOPE = -phi_2 / (phi * phi_1**3)
+"""Slope of ``rate = 1/φ'``."""
 
 MOTION = (definition(rate(v), v_dot), definition(rate(x), 2 * dot(v, v_dot)))
 SCALARS = (
@@ -161,10 +166,12 @@ def _of_change() -> Theorem:
     )  # fmt: skip
 
 
-def _of_slopes() -> tuple[Theorem, ...]:
-    def y(value: sympy.Expr) -> sympy.Expr:
-        return 2 * prime(value)
+def y(value: sympy.Expr) -> sympy.Expr:
+    """Return a slope, twice the derivative by x."""
+    return 2 * prime(value)
 
+
+def _of_slopes() -> tuple[Theorem, ...]:
     gy, fiy = f * h - g**2, -h / g
     first = (
         Equation(f + x * h, rho),
@@ -177,7 +184,7 @@ def _of_slopes() -> tuple[Theorem, ...]:
         Equation(y(h), (y(rho) - 3 * h + rho * g) / x),
         Equation(y(fi), fiy),
         Equation(y(hi), (gy - fiy * h - fi * y(h) - hi * y(rho)) / rho),
-        Equation(y(rho), -phi_2 / (phi * phi_1**3)),
+        Equation(y(rho), RATE_SLOPE),
     )
     second = (
         Equation(y(y(f)), y(h) - y(rho) * g - rho * gy),
@@ -194,14 +201,92 @@ def _of_slopes() -> tuple[Theorem, ...]:
         ),
         Equation(y(y(rho)), (3 * phi_2**2 / phi_1 - phi_3 + phi_2 * phi_1 / phi) / (phi**2 * phi_1**4)),
     )
+    third = (
+        Equation(y(y(y(f))), y(y(h)) - y(y(g)) * rho - 2 * y(g) * RATE_SLOPE - g * second[-1].right),
+        Equation(y(y(y(g))), y(y(f)) * h + 2 * y(f) * y(h) + f * y(y(h)) - 2 * (y(g) ** 2 + g * y(y(g)))),
+    )
+    at_constant_rate = Equation(y(y(y(h))), -(y(y(y(f))) + 6 * y(y(h))) / x)
     symbols, given, squares = Symbols(SYMBOLS, (), (sine, phi, phi_1)), (*SCALARS, *OF_ANGLE), SQUARES[::2]
     return (
         identity("any phi: slopes", symbols, first, *given, OF_PHI[0], *squares, scope=SCOPE),
         identity("any phi: second slopes", symbols, second, *given, *OF_PHI, *squares, scope=SCOPE),
+        identity(
+            "any phi: third slopes", Symbols(SYMBOLS, (), (phi, phi_1)), third, *SCALARS[2:6], *OF_ANGLE,
+            *OF_PHI, *squares, scope=SCOPE,
+        ),
+        identity(
+            "any phi: third slope at a constant rate", Symbols(SYMBOLS[:-2], (), (phi, phi_1)), (at_constant_rate,),
+            SCALARS[3], SCALARS[5], *OF_ANGLE, definition(prime(phi_1), 0), *squares, scope=SCOPE,
+        ),
+    )  # fmt: skip
+
+
+def _of_shares() -> Iterator[Theorem]:
+    """Yield the theorems on the slopes of ``α/φ`` by ``x`` and of ``φ/α`` by ``α²``."""
+    of_exp = (
+        definition(prime(alpha), 1 / TURN),
+        definition(g_exp, (1 - COS) / alpha**2),
+        definition(h_exp, (1 - SIN / alpha) / alpha**2),
     )
+    symbols = Symbols((alpha, *SYMBOLS), (), (phi, phi_1, alpha))
+    given = SCALARS[5], *OF_ANGLE, OF_PHI[0], *SQUARES[::2]
+    hy_exp, slope = (g_exp - 3 * h_exp) / alpha**2, h - share**3 * h_exp
+    hy = (RATE_SLOPE - 3 * h + rho * g) / x
+    bend = hy - 3 * share**2 * slope * h_exp - share**4 * rho * hy_exp
+    yield identity(
+        "any phi: share of the angle", symbols, (Equation(y(share), slope), Equation(y(y(share)), bend)),
+        definition(share, alpha / phi), *SCALARS[2:5:2], *given, *of_exp, scope=SCOPE,
+    )  # fmt: skip
+
+    def by_square(value: sympy.Expr) -> sympy.Expr:
+        return y(value) * share * phi_1
+
+    rest, bend = h_exp - share**3 * h, -(phi_1**3) * share * RATE_SLOPE
+    change = hy_exp - 3 * share**2 * by_square(share) * h - share**4 * phi_1 * y(h)
+    yield identity(
+        "any phi: share of the vector", symbols,
+        (
+            Equation(by_square(share), phi_1 * rest),
+            Equation(by_square(share), (phi_1 - share) / alpha**2),
+            Equation(by_square(phi_1), bend),
+            Equation(by_square(by_square(share)), bend * rest + phi_1 * change),
+            Equation(by_square(by_square(share)), (bend - 3 * by_square(share)) / alpha**2),
+        ),
+        definition(share, phi / alpha), *given, *of_exp, scope=SCOPE,
+    )  # fmt: skip
 
 
-ANY_PHI = (*_of_maps(), *_of_motion(), *_of_slopes(), *_of_transition(), _of_change())
+def _of_gain() -> Theorem:
+    """Return the theorem on the rate of the gain in ``v = gain vec(e)``, for a multiple e of a unit quaternion."""
+    motion = (
+        definition(rate(cosine), -sine * turning / 2),
+        definition(rate(sine), cosine * turning / 2),
+        definition(rate(phi), phi_1 * turning),
+        definition(rate(size), growing),
+    )
+    given = (
+        definition(gain, phi / (size * sine)),
+        definition(scalar_part, size * cosine),
+        definition(vector_part, size**2 * sine**2),
+    )
+    rate_of_scalar = growing * cosine - size * sine * turning / 2
+    half_rate = size * sine * (growing * sine + size * cosine * turning / 2)
+    along = gain * scalar_part * hi - 1
+    change = along * half_rate - (scalar_part + gain * vector_part * hi) * rate_of_scalar
+    return identity(
+        "any phi: rate of the gain", Symbols((cosine, sine, phi, phi_1, size, turning, growing), (), (sine, phi, size)),
+        (
+            Equation(rate(scalar_part), rate_of_scalar),
+            Equation(rate(vector_part) / 2, half_rate),
+            Equation(rate(gain), gain * change / (scalar_part**2 + vector_part)),
+        ),
+        SCALARS[-1], *given, *motion, SQUARES[0], scope=SCOPE,
+    )  # fmt: skip
+
+
+ANY_PHI = (
+    *_of_maps(), *_of_motion(), *_of_slopes(), *_of_shares(), _of_gain(), *_of_transition(), _of_change(),
+)  # fmt: skip
 
 
 @cache

@@ -336,6 +336,8 @@ class PoseKernels(Kernels):
     def to_screw(self, v: ArrayLike, *, axis: int = -1) -> tuple[Array, Array]:
         r"""Return the dual angle and the axis of v, the natural invariants of CP23 Theorem 3.
 
+        They have no derivative at v = 0.
+
         Parameters
         ----------
         v : array, shape (..., 6)
@@ -678,6 +680,7 @@ class PoseKernels(Kernels):
         α is the principal angle and u its axis, ``u = sign(p q) v/|v|``.
         If the sign is undecided, the vector part of the quaternion gives it, then v.
         A shadow loses digits near the identity, because its axis does. The page Conditioning says how many.
+        It has no derivative there.
 
         Parameters
         ----------
@@ -769,6 +772,7 @@ class PoseKernels(Kernels):
         -------
         angle : array, shape (..., 2)
             Rotation angle from 0 to the edge of the chart (rad), then translation along the axis.
+            It has no derivative at Re v = 0.
 
         Examples
         --------

@@ -34,6 +34,26 @@ class Namespace:
     def run(self, kernel_call: Call, axis: int, arrays: Sequence[Array]) -> Array:
         return computed(self, kernel_call, axis, arrays)
 
+    def scalars(self, chart: Chart) -> Any:
+        """Return the scalar programs of a chart."""
+        return chart.scalars
+
+    def held(self, value: Any) -> Any:
+        """Return a value as a constant of differentiation, if the library differentiates."""
+        return value
+
+    def carry(self, slope: Any, results: Sequence[Array], given: Sequence[Array]) -> Sequence[Array]:
+        """Return results whose derivative by the given arrays is a rule, if the library differentiates."""
+        return results
+
+    def apart(self, values: Sequence[Any]) -> Sequence[Any]:
+        """Return values that a compiler stores, rather than compute them again for each result that needs them."""
+        return values
+
+    def once(self, value: Any) -> Any:
+        """Return a value that a compiler computes once."""
+        return self.apart([value])[0]
+
     def taken(self, value: Any) -> Array:
         """Return a Python value or a NumPy array as an array of this library; numbers take the arguments' type."""
         return self.xp.asarray(value, dtype=None if hasattr(value, "dtype") else self.dtype, **self.place())
@@ -105,17 +125,48 @@ class Unplaced(Namespace):
         return {}
 
 
-class Jax(Unplaced):
-    """Functions of JAX; some kernels have rules of differentiation."""
-
-    def run(self, kernel_call: Call, axis: int, arrays: Sequence[Array]) -> Array:
-        return importlib.import_module("._jax", __package__).run(self, kernel_call, axis, arrays)
-
-
-class Torch(Namespace):
-    """Functions of PyTorch: its tensors have no namespace attribute, and its functions take ``dim``."""
+class Ruled(Namespace):
+    """Functions of a library that differentiates; scalar programs and some kernels have rules of differentiation."""
 
     eager = False
+    by_text: tuple[str, ...] = ()
+    """Kernels whose rules are not used."""
+
+    library = ""
+    """Module of this package with functions of the library."""
+
+    def __init__(self, xp: Any, like: Array) -> None:
+        super().__init__(xp, like)
+        own = importlib.import_module(self.library, __package__)
+        self.held, self.carry = own.held, own.carry  # type: ignore[method-assign]
+        self.ruled, self.derivative = own.ruled, own.derivative
+
+    def scalars(self, chart: Chart) -> Any:
+        return importlib.import_module("._slopes", __package__).Ruled(chart)
+
+    def run(self, kernel_call: Call, axis: int, arrays: Sequence[Array]) -> Array:
+        return importlib.import_module("._rules", __package__).run(self, kernel_call, axis, arrays)
+
+
+class Jax(Ruled, Unplaced):
+    """Functions of JAX."""
+
+    library = "._jax"
+
+    def __init__(self, xp: Any, like: Array) -> None:
+        super().__init__(xp, like)
+        self.tan = lambda angle: self.once(xp.tan(angle))  # the slowest function; fusions would call it again
+
+    def apart(self, values: Sequence[Any]) -> Sequence[Any]:
+        found: Sequence[Any] = importlib.import_module(self.library, __package__).apart(values)
+        return found
+
+
+class Torch(Ruled):
+    """Functions of PyTorch: its tensors have no namespace attribute, and its functions take ``dim``."""
+
+    by_text = ("twist", "rate")  # linear in the last argument; backward mode needs their text for that
+    library = "._torch"
 
     def default(self) -> Any:
         return self.xp.get_default_dtype()
@@ -219,7 +270,7 @@ def computed(m: Namespace, kernel_call: Call, axis: int, arrays: Sequence[Array]
     rows = [components(m, array, part, axis) for array, (_, part) in given]
     batch = _batch({name: _batch_of(array, part, axis) for array, (name, part) in given})
     extra = (constants(kernel_call.table, arrays[0]),) if kernel_call.table else ()
-    return pack(m, kernel.core(m, kernel_call.chart.scalars, *rows, *extra), kernel.shape, batch, axis, rows[0][0])
+    return pack(m, kernel.core(m, m.scalars(kernel_call.chart), *rows, *extra), kernel.shape, batch, axis, rows[0][0])
 
 
 def as_array(m: Namespace, name: str, value: Array, part: Shape, axis: int, real: bool = False) -> Array:

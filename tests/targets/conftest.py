@@ -13,8 +13,6 @@ import pytest
 from tests.support import packages
 
 ORDERS, FAMILIES = (1, 2, 3, 8), ("breusing", "exponential", "lambert", "orthographic", "sine3", "wiener_milenkovic")
-RULED = [*(f"cayley{n}" for n in ORDERS), *FAMILIES]
-"""Charts in the package whose rules of differentiation are tested."""
 
 
 @pytest.fixture(scope="session")

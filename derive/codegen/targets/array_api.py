@@ -3,28 +3,60 @@
 from __future__ import annotations
 
 import importlib
+import re
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from importlib.util import find_spec
 
 import numpy as np
 
 from ..lowered import lower_chart
 from ..lowering.retraction import EXPONENTIAL
-from ..package import Data
+from ..lowering.scalar_programs import SCALARS, SQUARES
+from ..package import Data, Facts
+from ..rows import Table
 from ..validation import Library, Machinery, runtime
+from ..validation.slopes import slopes
 from .python import PythonTarget, printed_scalars
 
 STRICT = "array_api_strict"
-STEP_SCALARS = ("pose_scalars", "tangent_scalars", "tangent_inv_scalars")
+TOWERS = {
+    "pose_scalars": "tangent_scalars",
+    "tangent_scalars": "tangent_dot_scalars",
+    "inverse_scalars": "tangent_inv_scalars",
+    "inverse_at": "tangent_inv_scalars",
+    "tangent_inv_at": "tangent_inv_dot_scalars",
+    "tangent_inv_scalars": "tangent_inv_dot_scalars",
+    "tangent_inv_dot_scalars": "tangent_inv_dot_scalars",
+}
+"""Scalar programs, and those that return slopes of their results; the last slopes have none."""
+
+STEP_SCALARS = (
+    "pose_scalars", "tangent_scalars", "tangent_dot_scalars", "rate_scalars", "tangent_inv_scalars",
+    "tangent_inv_dot_scalars",
+)  # fmt: skip
 """Scalar programs of the exponential that the rules of differentiation need."""
+
+STORED = {"exponential_scalars": "stored", "followed": "stored", "displacement": "stored", "vector_of": "taken"}
+"""Geometry programs with results, or arguments, that many steps read, as they do results of scalar programs."""
+
+NOTHING = re.compile(r"(?<![-+*/] )\b(\w+) - \1(?= \+|\)|$)", re.MULTILINE)
+"""Value minus itself: 0, or NaN unless it is finite."""
+
+VALUE = re.compile(r"^    (\w+) = (\(\n(?:        .*\n)+    \)|(?!m\.where).*[*/].*)$", re.MULTILINE)
+"""Statement that multiplies or divides."""
+
+READERS = 3
+"""Number of steps that read a value, from which it is stored; an expression of several lines always is."""
 
 STANDARD = (np.dtype(np.float64), np.dtype(np.float32))
 
 
-def step_scalars() -> Data:
-    """Return the exponential's scalars for the rules of differentiation."""
+def slopes_of_steps() -> Data:
+    """Return the exponential's scalars and the names of slopes, for the rules of differentiation."""
     scalars = lower_chart(EXPONENTIAL).scalars
-    return printed_scalars(EXPONENTIAL, {name: scalars[name] for name in STEP_SCALARS})
+    steps = printed_scalars(EXPONENTIAL, {name: scalars[name] for name in STEP_SCALARS})
+    return {**marked(steps, once), **rules_of_slopes()}
 
 
 class ArrayApi(PythonTarget):
@@ -32,13 +64,56 @@ class ArrayApi(PythonTarget):
 
     name = "array-api"
     options = "axis: int = -1"
+    files = (*PythonTarget.files, "_jax.py", "_rules.py", "_torch.py")
     machinery = Machinery(out=False, silent=False)
-    checks = (*PythonTarget.checks, runtime.steps, runtime.rules)
+    checks = (*PythonTarget.checks, runtime.steps, slopes, runtime.rules)
 
     def shared(self) -> dict[str, Callable[[], Data]]:
-        return super().shared() | {"_jax.py": step_scalars}
+        return super().shared() | {"_slopes.py": slopes_of_steps}
+
+    def programs(self, facts: Facts) -> Data:
+        return marked(super().programs(facts), once)
+
+    def geometry(self, table: Table) -> Data:
+        found = super().geometry(table)
+        return {**found, **marked({"programs": found["programs"]}, held), "stored": STORED}
 
     def libraries(self) -> Sequence[Library]:
         """Return NumPy, and the strict reference of the standard if installed, with the standard's types."""
         names = ("numpy", *([STRICT] if find_spec(STRICT) else []))
         return [Library(name, importlib.import_module(name).asarray, STANDARD) for name in names]
+
+
+def held(forms: str) -> str:
+    """Return the text of a program with zeros of the form ``a - a`` as constants.
+
+    Their two derivatives would cancel, at the cost of digits.
+    """
+    return NOTHING.sub(r"m.held(\1 - \1)", forms)
+
+
+def once(forms: str) -> str:
+    """Return the text of a scalar program with marks at values that compilers should store."""
+
+    def marked(found: re.Match[str]) -> str:
+        name, value = found.groups()
+        long = "\n" in value
+        many = long or len(re.findall(rf"\b{name}\b", forms)) > READERS
+        return f"    {name} = m.once{value if long else f'({value})'}" if many else found.group()
+
+    return VALUE.sub(marked, held(forms))
+
+
+def marked(printed: Data, mark: Callable[[str], str]) -> Data:
+    """Return lists of printed programs with marks in their text."""
+    return {
+        name: [replace(program, forms=mark(program.forms)) for program in programs]
+        for name, programs in printed.items()
+    }
+
+
+def rules_of_slopes() -> Data:
+    """Return the names of results whose slopes other programs return, and the programs of three squares."""
+    results = {name: SCALARS[name].results for name in (*TOWERS, "tangent_dot_scalars")}
+    squares = tuple(name for name in TOWERS if SCALARS[name].arguments == SQUARES)
+    return {"results": results, "towers": TOWERS, "squares": squares}

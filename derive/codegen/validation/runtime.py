@@ -1,12 +1,13 @@
 """Execution of run-time parts that are written by hand, on a few cases with independent values.
 
 A check yields cases: the function with its case, the result, and the expected value. Derivatives are compared with
-differences of validated kernels. `motions` has the checks of the NumPy target. SciPy and JAX are stand-ins.
+differences of validated kernels. `motions` has the checks of the NumPy target. SciPy is a stand-in.
 """
 
 from __future__ import annotations
 
 import importlib
+import math
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
@@ -173,19 +174,23 @@ def _refused(check: bool | float, function: Callable[..., Any], *given: Any) -> 
 
 
 RULED = {
-    "compose": (), "between": (), "retract": (), "body_retract": (), "local": (), "body_local": (),
-    "twist": SIDES["SPACE"], "body_twist": SIDES["BODY"], "rate": SIDES["SPACE_INV"], "body_rate": SIDES["BODY_INV"],
+    **dict.fromkeys(
+        ("compose", "between", "retract", "body_retract", "local", "body_local", "interpolate", "to_exponential",
+         "from_exponential"), ((),),
+    ),
+    "twist": (SIDES["SPACE"], SIDES["BODY"]), "rate": (SIDES["SPACE_INV"], SIDES["BODY_INV"]),
 }  # fmt: skip
-"""Functions with a rule for JAX, and the tables of their kernels."""
+"""Kernels with a rule of differentiation, and tables that they take; turns are those of a chart."""
 
 
 def steps(at: Loaded) -> Iterator[Case]:
     """Cases of the scalars of exp(δ) beside the rules: values and slopes, errors times 10¹⁶."""
-    programs, m = at.part("_jax").STEPS.scalars, at.part("_runtime").Objects(np, np.empty(0, object))
+    programs, m = at.part("_slopes").STEPS.scalars, at.part("_runtime").Objects(np, np.empty(0, object))
     formulas: dict[str, Callable[[Any], Any]] = {
         "f": lambda x: mpmath.sinc(mpmath.sqrt(x)),
         "g": lambda x: mpmath.sinc(mpmath.sqrt(x) / 2) ** 2 / 2,
         "h": lambda x: (1 - mpmath.sinc(mpmath.sqrt(x))) / x,
+        "rate": lambda x: mpmath.mpf(1),
         "fi": lambda x: mpmath.sqrt(x) * mpmath.cot(mpmath.sqrt(x) / 2),
         "hi": lambda x: (2 - mpmath.sqrt(x) * mpmath.cot(mpmath.sqrt(x) / 2)) / x,
     }
@@ -194,25 +199,25 @@ def steps(at: Loaded) -> Iterator[Case]:
             row = SCALARS[name]
             shares = [mpmath.mpf(share) for share in ((0.5, 0.375, 0.125) if len(row.arguments) == 3 else (1,))]
             found = program(m, *(Decimal(x * share) for share in shares))
-            values = [2 * mpmath.diff(formulas[r[:-1]], x) if r.endswith("y") else formulas[r](x) for r in row.results]
+            values = [2 ** (k := r.count("y")) * mpmath.diff(formulas[r.rstrip("y")], x, k) for r in row.results]
             errors = [(Decimal(1) * a - Decimal(b)) * 10**16 for a, b in zip(found, values, strict=True)]
-            yield f"{name} of exp(δ) at x = {x}, for JAX", errors, np.zeros(len(errors))
+            yield f"{name} of exp(δ) at x = {x}", errors, np.zeros(len(errors))
 
 
 def rules(at: Loaded) -> Iterator[Case]:
-    """Cases of the rules for JAX: derivatives of a function along the rates of its arguments."""
-    jax, call = at.part("_jax"), at.part("_chart").Call
+    """Cases of the rules of differentiation: derivatives of a kernel along the rates of its arguments."""
+    rules, call = at.part("_rules"), at.part("_chart").Call
     for table in (POSES, ROTATIONS):
-        module, n = at.module(table), 6 if table is POSES else 3
-        values, rates = ([np.array(row[:n]) for row in rows] for rows in ((NEAR, RATES[0]), RATES))
-        for name, sides in RULED.items():
-            kernel = name if name in module.CHART.kernels else name.removeprefix("body_")
-            asked = call(module.CHART, kernel, module.CHART.kernels[kernel].arguments, sides)
-            function, h = getattr(module, name), STEP
-            found, slope = jax._ruled(asked).rule(values, rates)
-            yield f"{name} of {n} components, for JAX", found, function(*values)
-            ahead, back = (function(*(v + s * rate for v, rate in zip(values, rates))) for s in (h, -h))
-            yield f"rule of {name} of {n} components, for JAX", slope, (ahead - back) / (2 * h)
-            first = [np.stack([v, v], axis=-1) for v in values]
-            both = jax.run(None, asked, 0, first)
-            yield f"{name} of {n} components, for JAX, axis 0", both.T, np.stack([found, found])
+        chart, n = at.module(table).CHART, 6 if table is POSES else 3
+        for name, tables in {**RULED, "turn": chart.turns[-1:], "shadow": chart.turns[-1:]}.items():
+            arguments = chart.kernels[name].arguments[: 1 if name in ("turn", "shadow") else None]
+            values, rates = (
+                [np.array(row[: math.prod(shape)]).reshape(shape) for row, (_, shape) in zip(rows, arguments)]
+                for rows in ((NEAR, RATES[0], (0.375,)), (*RATES, (0.25,)))
+            )
+            for given in tables:
+                asked = call(chart, name, arguments[: len(values)], given)
+                slope = rules.slope_of(asked, rules.value_of(asked, *values), values, rates)
+                steps = ([v + s * rate for v, rate in zip(values, rates)] for s in (STEP, -STEP))
+                ahead, back = (rules.value_of(asked, *moved) for moved in steps)
+                yield f"rule of {name} of {n} components", slope, (ahead - back) / (2 * STEP)

@@ -1,4 +1,4 @@
-"""Short replacements of SciPy and JAX for run-time parts that import them; tests call the libraries themselves."""
+"""Short replacements of SciPy for run-time parts that import it; tests call the library itself."""
 
 from __future__ import annotations
 
@@ -81,12 +81,6 @@ class Kept:
     as_quat = as_dual_quat = components
 
 
-def custom_jvp(function: Any) -> Any:
-    """Return a function that takes a rule of differentiation, as in JAX, and keeps it as ``rule``."""
-    function.defjvp = lambda rule: setattr(function, "rule", rule)
-    return function
-
-
 QUATERNIONS = SimpleNamespace(from_quat=Kept, from_dual_quat=Kept)
 SCIPY = SimpleNamespace(
     integrate=SimpleNamespace(DOP853=RungeKutta),
@@ -94,21 +88,18 @@ SCIPY = SimpleNamespace(
     optimize=SimpleNamespace(brentq=bisected),
     spatial=SimpleNamespace(transform=SimpleNamespace(Rotation=QUATERNIONS, RigidTransform=QUATERNIONS)),
 )
-BARRIER = SimpleNamespace(optimization_barrier=lambda x: x)
-JAX = SimpleNamespace(numpy=np, custom_jvp=custom_jvp, jit=lambda f: f, lax=BARRIER)
-
 
 def _modules(name: str, value: Any) -> Iterator[tuple[str, Any]]:
     yield name, value
     for inner, member in vars(value).items() if isinstance(value, SimpleNamespace) else ():
-        if isinstance(member, SimpleNamespace) or member is np:
+        if isinstance(member, SimpleNamespace):
             yield from _modules(f"{name}.{inner}", member)
 
 
 @contextmanager
 def standing_in() -> Iterator[None]:
-    """Replace SciPy and JAX among the imported modules."""
-    replaced = dict([*_modules("scipy", SCIPY), *_modules("jax", JAX)])
+    """Replace SciPy among the imported modules."""
+    replaced = dict(_modules("scipy", SCIPY))
     before = {name: sys.modules[name] for name in replaced if name in sys.modules}
     sys.modules.update(replaced)
     try:

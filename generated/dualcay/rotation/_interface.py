@@ -139,6 +139,8 @@ class RotationKernels(Kernels):
     def to_angle_axis(self, v: ArrayLike, *, axis: int = -1) -> tuple[Array, ...]:
         r"""Return the angle and the axis of v.
 
+        They have no derivative at v = 0.
+
         Parameters
         ----------
         v : array, shape (..., 3)
@@ -517,6 +519,7 @@ class RotationKernels(Kernels):
         α is the principal angle and u its axis, ``u = sign(p q) v/|v|``.
         If the sign is undecided, the vector part of the quaternion gives it, then v.
         A shadow loses digits near the identity, because its axis does. The page Conditioning says how many.
+        It has no derivative there.
 
         Parameters
         ----------
@@ -608,6 +611,7 @@ class RotationKernels(Kernels):
         -------
         angle : array, shape (...)
             Rotation angle from 0 to the edge of the chart (rad).
+            It has no derivative at Re v = 0.
 
         Examples
         --------

@@ -67,8 +67,12 @@ ALTERED = {
     "bound of random angles": (
         "numpy", "_interface.py", "max_angle * generator", "2 * max_angle * generator", "random: bounds",
     ),
-    "rule for JAX": ("array-api", "_jax.py", "at.moved(-v1, at.twist", "at.moved(v1, at.twist", "rule of between of 6"),
-    "scalars beside the rules": ("array-api", "_jax.py", "(1 - f) / xx", "(2 - f) / xx", "pose_scalars"),
+    "rule of a kernel": (
+        "array-api", "_rules.py", "at.moved(-v1, at.twist", "at.moved(v1, at.twist", "rule of between of 6",
+    ),
+    "scalars beside the rules": ("array-api", "_slopes.py", "(1 - f) / xx", "(2 - f) / xx", "pose_scalars"),
+    "slope of a gain": ("array-api", "_slopes.py", "share * (fe * hi - 1)", "share * (fe * hi + 1)", "slopes of gain"),
+    "third slope": ("array-api", "_slopes.py", "(fyyy + 6 * hyy)", "(fyyy + 5 * hyy)", "slopes of exp"),
     "selection of a switch": (
         "array-api", "_branches.py", "kernels.twist(v, covariance", "kernels.twist(moved, covariance",
         "switch of 6 components: covariance",

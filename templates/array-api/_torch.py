@@ -1,0 +1,74 @@
+"""Functions of PyTorch with rules of differentiation: scalar programs and kernels of ``_slopes`` and ``_rules``."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import Any
+
+import torch
+from torch.autograd import forward_ad
+
+from ._chart import Array, Call
+from ._rules import Values, slope_of, value_of
+
+Slope = Callable[[Values, Values, Values], Values]
+"""Function of results, arguments and rates that returns the rates of the results, linear in the rates."""
+
+
+class Carry(torch.autograd.Function):
+    """Copies of arrays: the first ``count`` are results with the derivative of a rule, the others its arguments."""
+
+    generate_vmap_rule = True
+
+    @staticmethod
+    def forward(slope: Slope, count: int, *arrays: Array) -> tuple[Array, ...]:
+        return tuple(array.clone() for array in arrays)
+
+    @staticmethod
+    def setup_context(ctx: Any, inputs: tuple[Any, ...], output: tuple[Array, ...]) -> None:
+        ctx.slope, ctx.count, *_ = inputs
+        # unlike the arguments, their copies have no rates inside `jvp`, which would otherwise call itself
+        ctx.save_for_backward(*output)
+        ctx.save_for_forward(*output)
+
+    @staticmethod
+    def backward(ctx: Any, *weights: Array) -> tuple[Array | None, ...]:
+        found, given = ctx.saved_tensors[: ctx.count], ctx.saved_tensors[ctx.count :]
+        rates = map(torch.zeros_like, given)
+        _, back = torch.func.vjp(lambda *moved: tuple(ctx.slope(found, given, moved)), *rates)
+        of_given = zip(back(weights[: ctx.count]), weights[ctx.count :], strict=True)
+        return (None, None, *(None for _ in found), *(one + other for one, other in of_given))
+
+    @staticmethod
+    def jvp(ctx: Any, *rates: Array | None) -> tuple[Array, ...]:
+        found, given = ctx.saved_tensors[: ctx.count], ctx.saved_tensors[ctx.count :]
+        pairs = zip(given, rates[2 + ctx.count :], strict=True)
+        moved = [torch.zeros_like(array) if rate is None else rate for array, rate in pairs]
+        # PyTorch disables forward mode here, so that forward mode over forward mode would return zeros
+        with forward_ad._set_fwd_grad_enabled(True):
+            return (*ctx.slope(found, given, moved), *moved)
+
+
+def held(value: Any) -> Any:
+    """Return a value as a constant of differentiation."""
+    return value.detach() if hasattr(value, "shape") else value
+
+
+def carry(slope: Slope, results: Sequence[Array], given: Sequence[Array]) -> Sequence[Array]:
+    """Return results whose derivative by the given arrays is a rule."""
+    return Carry.apply(slope, len(results), *results, *given)[: len(results)]
+
+
+def ruled(kernel_call: Call) -> Callable[..., Array]:
+    """Return a kernel with its rule."""
+
+    def run(*given: Array) -> Array:
+        result = value_of(kernel_call, *map(held, given))
+        return carry(lambda found, at, rates: (slope_of(kernel_call, *found, at, rates),), [result], given)[0]
+
+    return run
+
+
+def derivative(function: Callable[..., Array], values: Values, rates: Values) -> Array:
+    """Return the derivative of a function along the rates of its arguments."""
+    return torch.func.jvp(function, tuple(values), tuple(rates))[1]

@@ -1,0 +1,125 @@
+"""Derivatives of kernels by JAX and PyTorch, in all modes: they equal differences of the oracle at every regime."""
+
+from __future__ import annotations
+
+import importlib
+from functools import partial
+
+import numpy as np
+import pytest
+
+from derive.about import FAMILIES, ORDERS
+from derive.codegen.signatures import POSES
+from tests.support import packages, sampling
+from tests.support.derivatives import above_gate, by_jax, by_torch, tries
+from tests.support.kernels import load
+from tests.support.libraries import LIBRARIES, QUICKLY
+
+pytestmark = pytest.mark.filterwarnings("ignore:.torch.jit:DeprecationWarning")  # PyTorch's own, in forward mode
+SEED, BY_TORCH, BY_JAX = 3, 16, 2
+"""Seed and numbers of functions that are tried; ``python -m tests.support.derivatives`` tries more."""
+
+
+def titled(one):
+    chart, name, table, dtype = one
+    return f"{chart}-{name}-{table.name or 'pose'}-{dtype.__name__}"
+
+
+@pytest.fixture(scope="module")
+def package(shared):
+    """Provide the name of a package of all charts."""
+    folder = shared("derivatives", lambda place: packages.write(ORDERS, "array-api", place, FAMILIES))
+    with pytest.MonkeyPatch.context() as patch:
+        patch.syspath_prepend(str(folder.parent))
+        yield folder.name
+
+
+def test_derivatives_of_a_map(package):
+    assert not above_gate(package, ("cayley2", "quaternion", POSES, np.float64), by_jax)
+
+
+@pytest.mark.thorough
+@pytest.mark.parametrize("one", tries(SEED)[:BY_JAX], ids=titled)
+def test_derivatives_by_jax(package, one):
+    assert not above_gate(package, one, by_jax)
+
+
+@pytest.mark.torch
+@pytest.mark.thorough
+@pytest.mark.parametrize("one", tries(SEED)[:BY_TORCH], ids=titled)
+def test_derivatives_by_torch(package, one):
+    assert not above_gate(package, one, by_torch)
+
+
+@pytest.mark.thorough
+@pytest.mark.parametrize("change", [lambda slope, x: 2 * slope, lambda slope, x: slope * (x / x)], ids=["2", "0/0"])
+def test_altered_slopes_have_errors(package, change, monkeypatch):
+    """Double the slopes of a quaternion, or divide by x without a guard at 0."""
+    rules = importlib.import_module(f"{package}._slopes").SLOPES
+    rule = rules["quaternion_scalars"]
+
+    def altered(m, c, found, given):
+        return [[change(slope, given[0]) for slope in row] for row in rule(m, c, found, given)]
+
+    monkeypatch.setitem(rules, "quaternion_scalars", altered)
+    found = above_gate(package, ("cayley2", "quaternion", POSES, np.float64), by_jax)
+    assert {mode for _, mode in found} == {
+        "forward", "reverse", "forward, forward", "forward, reverse", "reverse, forward", "reverse, reverse",
+    }  # fmt: skip
+
+
+# --- beyond the regimes: functions of a batch, arguments off the group, motions beyond half a turn ------------------
+
+
+@pytest.mark.thorough
+def test_hessian_of_a_batch_with_every_regime(package):
+    """Expect the unit matrix from half the square of a round trip; one bad row would spoil the whole batch."""
+    LIBRARIES["jax"]()
+    import jax
+
+    module = importlib.import_module(f"{package}.exponential")
+    rows = np.array([[0, 0, 0, 0, 0, 0.0], [0, 0, 0, 1, 2, 3], [1e-300, 0, 0, 1, 2, 3], [0.3, -0.2, 0.5, 1, 2, 3]])
+
+    def loss(given):
+        return (module.from_quaternion(module.quaternion(given)) ** 2).sum() / 2
+
+    found = np.asarray(jax.jit(jax.hessian(loss), compiler_options=QUICKLY)(rows)).reshape(24, 24)
+    np.testing.assert_allclose(found, np.eye(24), rtol=0, atol=1e-13)
+
+
+def jacobian_by_jax(function, v):
+    LIBRARIES["jax"]()
+    import jax
+
+    return np.asarray(jax.jit(jax.jacrev(function), compiler_options=QUICKLY)(v))
+
+
+def jacobian_by_torch(function, v):
+    import torch
+
+    return torch.autograd.functional.jacobian(function, torch.asarray(v)).numpy()
+
+
+BOTH = pytest.mark.parametrize("jacobian", [jacobian_by_jax, pytest.param(jacobian_by_torch, marks=pytest.mark.torch)])
+
+
+@BOTH
+@pytest.mark.thorough
+@pytest.mark.parametrize("road", ["quaternion", "tensor", "pose"])
+def test_inverse_maps_have_finite_derivatives_in_every_entry(package, road, jacobian):
+    module = importlib.import_module(f"{package}.cayley3")
+    for regime in ("uniform", "pure translation", "identity"):
+        given = getattr(load(3), road)(sampling.poses(3, regime)[0])
+        assert np.isfinite(jacobian(getattr(module, f"from_{road}"), given)).all()
+
+
+@BOTH
+@pytest.mark.thorough
+@pytest.mark.parametrize("angle", [np.pi, 5.0])
+def test_steps_of_half_a_turn_and_more(package, angle, jacobian):
+    """Compare derivatives by δ with emitted Jacobians; tan(|δ|/2) is huge at half a turn."""
+    module, v = importlib.import_module(f"{package}.cayley3"), sampling.poses(3, "uniform")[0]
+    delta = np.array([angle / 3, -2 * angle / 3, 2 * angle / 3, 1, 2, 3])
+    expected = load(3).retract_jacobians(v, delta)[1]
+    found = jacobian(partial(module.retract, v), delta)
+    np.testing.assert_allclose(found, expected, rtol=0, atol=1e-12 * abs(expected).max())
