@@ -23,7 +23,7 @@ from benchmarks.accuracy import report as accuracy
 from derive.cli.commands import cli
 from derive.codegen.signatures import POSES
 from derive.proof import theorems
-from docs._ext import reference
+from docs._ext import links, publication, reference
 from dualcay import cayley2
 from dualcay.rotation import cayley2 as rotation
 from tests.support import compilers, examples, packages, pages
@@ -93,6 +93,30 @@ def test_false_sessions_commands_and_links_are_reported(tmp_path: Path) -> None:
     page = tmp_path / "page.md"
     page.write_text("[here](page.md) [there](there.md)", encoding="utf-8")
     assert pages.dead_links(page) == ["there.md"]
+
+
+def test_dead_links_of_a_site_are_found(tmp_path: Path) -> None:
+    texts = {
+        "index": '<a href="page.html#here">1</a> <img alt="" src="picture.png">',
+        "page": '<p id="here"></p><a href="#there">2</a><a href="https://a.b">3</a>',
+        "left_over": '<a href="gone.html">4</a>',
+    }
+    for name, text in texts.items():
+        (tmp_path / f"{name}.html").write_text(text, encoding="utf-8")
+    assert links.dead_links(tmp_path) == ["index.html: picture.png", "page.html: #there"]
+
+
+def test_repository_has_one_setting() -> None:
+    assert publication.theme_options("") == publication.html_context("") == {}
+    [link] = publication.theme_options("https://a.b/c")["icon_links"]
+    assert link["url"] == "https://a.b/c"
+    assert publication.html_context("https://a.b/c")["edit_page_url_template"].startswith("https://a.b/c/edit/main/docs/")
+
+
+def test_citation_is_bibtex() -> None:
+    assert examples.failures(publication.bibtex.__doc__ or "", "bibtex", vars(publication)) == ""
+    text = publication.bibtex((ROOT / "CITATION.cff").read_text(encoding="utf-8"), "")
+    assert f"version = {{{derive.__version__}}}" in text
 
 
 @pytest.mark.parametrize(
