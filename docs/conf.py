@@ -57,13 +57,13 @@ os.environ["IPYTHONDIR"] = str(profile.parent)
 mathjax_path = "mathjax/tex-chtml.js"
 mathjax4_config = {
     "loader": {
-        "load": ["ui/lazy", "[tex]/boldsymbol", "[tex]/color"],
+        "load": ["ui/lazy", "[tex]/boldsymbol", "[tex]/colorv2"],
         "paths": {"mathjax-newcm": "[mathjax]/mathjax-newcm-font"},
     },
     "output": {"fontPath": "[mathjax]/mathjax-newcm-font", "displayOverflow": "scroll"},
     "options": {"enableMenu": False, "enableEnrichment": False, "enableSpeech": False, "enableBraille": False},
     # an unknown command is an error, which a test finds
-    "tex": {"packages": {"[+]": ["boldsymbol", "color"], "[-]": ["noundefined"]}},
+    "tex": {"packages": {"[+]": ["boldsymbol", "colorv2"], "[-]": ["noundefined"]}},
 }
 
 html_theme = "pydata_sphinx_theme"

@@ -25,3 +25,20 @@ document.addEventListener("DOMContentLoaded", () => {
   const seen = new ResizeObserver(entries => entries.forEach(entry => mark(entry.target)));
   document.querySelectorAll(".bd-article table").forEach(table => seen.observe(table));
 });
+
+// Reports of many entries have a field that leaves those that contain its words.
+document.addEventListener("DOMContentLoaded", () => {
+  const article = document.querySelector(".bd-article"), entries = [...article?.querySelectorAll("details") ?? []];
+  const first = article?.querySelector("section > section");
+  if (entries.length < 40 || !first) return;
+  const field = document.createElement("input");
+  field.type = "search";
+  field.className = "filter-entries form-control";
+  field.placeholder = field.ariaLabel = "Show only what contains, such as (112)";
+  const lines = [...entries, ...article.querySelectorAll("tbody tr")];
+  const words = new Map(lines.map(line => [line, (line.querySelector("summary") ?? line).textContent.toLowerCase()]));
+  field.addEventListener("input", () => {
+    for (const [line, text] of words) line.hidden = !text.includes(field.value.trim().toLowerCase());
+  });
+  first.before(field);
+});
