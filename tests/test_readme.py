@@ -42,7 +42,7 @@ def measured() -> dict[str, tuple[str, ...]]:
     return {
         "speed": speed.groups(),
         "accuracy": accuracy.groups(),
-        "proofs": (str(general.count("\n### ")), str(controls)),
+        "proofs": (str(general.count("\n<details>")), str(controls)),
         "papers": (str(entries), str(errata)),
         "formulas in use": (field[0], str(len(documents)), field[1]),
     }

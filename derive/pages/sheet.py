@@ -23,7 +23,6 @@ from ..proof.phi_theorems import phi, phi_1, phi_2, psi, psi_1, rho
 from ..proof.proved import CLAIMS, proofs, require
 from ..proof.statement import Equation
 from ..proof.theorem import Theorem, decided
-from .theorems import title
 
 ORDERS = (1, 2, 3)
 """Orders whose explicit formulas the sheet shows."""
@@ -178,7 +177,7 @@ def _lines(
         wanted = ((p, proof.claim[p]) if isinstance(p, int) else (p, defined[p]) for p in places)
         for (given, numbers), found in groupby(wanted, lambda pair: (isinstance(pair[0], str), pair[1].numbers)):
             formulas = tuple(_changed(equation, changes).latex for _, equation in found)
-            yield Line(formulas, title(proof), numbers, given)
+            yield Line(formulas, proof.title, numbers, given)
 
 
 def _changed(equation: Equation, changes: Mapping[sympy.Expr, sympy.Expr] | None) -> Equation:
@@ -201,7 +200,7 @@ def _of_order(cayley: Cayley, known: Mapping[str, Proof]) -> Iterator[Block]:
             _values({f"{name}_{order}": getattr(cayley, name) for name in "pqcd"}, found[polynomials]),
             *(_map(getattr(cayley, name), found[f"Cayley({order}).{name}"]) for name in MAPS),
             *_lines((("screw", "v"),), known, {n: sympy.Integer(order)}),
-            Line((rf"\mathrm{{Re}}(\alpha) \in {sympy.latex(turns)}",), title(proved(found[angles]))),
+            Line((rf"\mathrm{{Re}}(\alpha) \in {sympy.latex(turns)}",), proved(found[angles]).title),
         ),
     )
     yield Block(f"n = {order}: slopes, for J and K", (_values(slopes, found["slopes"]),))
@@ -238,10 +237,10 @@ def _of_exponential(known: Mapping[str, Proof]) -> Iterator[Block]:
 
 
 def _map(formula: Formula, proof: Proof) -> Line:
-    return Line((f"{formula.symbol} = {formula.explicit}",), title(proved(proof)), formula.equations)
+    return Line((f"{formula.symbol} = {formula.explicit}",), proved(proof).title, formula.equations)
 
 
 def _values(values: Mapping[str, sympy.Expr], proof: Proof) -> Line:
     """Return one line with several functions of x, by their LaTeX names."""
     shown = (f"{name} = {latex(sympy.factor(value))}" for name, value in values.items())
-    return Line(tuple(shown), title(proved(proof)))
+    return Line(tuple(shown), proved(proof).title)

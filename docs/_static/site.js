@@ -34,7 +34,7 @@ document.addEventListener("DOMContentLoaded", () => {
   const field = document.createElement("input");
   field.type = "search";
   field.className = "filter-entries form-control";
-  field.placeholder = field.ariaLabel = "Show only what contains, such as (112)";
+  field.placeholder = field.ariaLabel = "Show only entries with …";
   const lines = [...entries, ...article.querySelectorAll("tbody tr")];
   const words = new Map(lines.map(line => [line, (line.querySelector("summary") ?? line).textContent.toLowerCase()]));
   field.addEventListener("input", () => {
