@@ -28,6 +28,7 @@ extensions = [
     "myst_nb",
     "sphinx_design",
     "sphinx_gallery.gen_gallery",
+    "_ext.function_pages",
     "_ext.publication",
     "_ext.reference",
     "_ext.sheet",

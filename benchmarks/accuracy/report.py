@@ -193,7 +193,7 @@ QUESTIONS = (
     ("v of its pose, below half a turn, n ≥ 2", ("round_trip",), True),
     ("twist of a rate, rate of a twist, below half a turn", ("twist", "rate", "body_twist", "body_rate"), True),
     ("pose of v, at half a turn and on shadows", ("pose: Q", "pose: ρ"), False),
-    ("twist of a rate, rate of a twist, there", ("twist", "rate", "body_twist", "body_rate"), False),
+    ("twist of a rate, rate of a twist, at half a turn and on shadows", ("twist", "rate", "body_twist", "body_rate"), False),
 )
 USUAL = 8
 """Largest order of the first table."""

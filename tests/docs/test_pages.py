@@ -22,8 +22,9 @@ from benchmarks import page as speed
 from benchmarks.accuracy import report as accuracy
 from derive.cli.commands import cli
 from derive.codegen.signatures import POSES
+from derive.codegen.targets import TARGETS
 from derive.proof import theorems
-from docs._ext import links, publication, reference
+from docs._ext import function_pages, links, publication, reference
 from dualcay import cayley2
 from dualcay.rotation import cayley2 as rotation
 from tests.support import compilers, examples, packages, pages
@@ -144,6 +145,15 @@ def listed(text: str) -> Counter[str]:
 def test_pages_list_each_public_name_once(page: str) -> None:
     text = (ROOT / "docs" / "reference" / f"{page}.md").read_text(encoding="utf-8")
     assert listed(text) == dict.fromkeys(EXPECTED[page], 1)
+
+
+def test_lists_tell_what_each_function_takes_gives_and_where_it_is() -> None:
+    assert examples.failures(function_pages.arrays.__doc__ or "", "arrays", vars(function_pages)) == ""
+    assert all(all(function_pages.takes_and_gives(name)) for name in POSES.public)
+    assert function_pages.takes_and_gives("to_screw") == ("v (6)", "angle (2), line (6)")
+    assert function_pages.targets("rate") == [*TARGETS, "Dask"]
+    assert function_pages.targets("random") == ["numpy", "numba"]
+    assert {name for name in POSES.public if "jacobian" in name and "tw" in name} <= function_pages.formulas().keys()
 
 
 def test_toolkit_page_names_the_symbols_and_parts_of_charts() -> None:
