@@ -188,12 +188,13 @@ def gate_tables(measurements: Sequence[Measurement]) -> Iterator[str]:
 
 
 # Questions, rows of the tables that answer them, and whether they are about the principal range.
+RATES = ("twist", "rate", "body_twist", "body_rate")
 QUESTIONS = (
     ("pose of v, below half a turn", ("pose: Q", "pose: ρ"), True),
     ("v of its pose, below half a turn, n ≥ 2", ("round_trip",), True),
-    ("twist of a rate, rate of a twist, below half a turn", ("twist", "rate", "body_twist", "body_rate"), True),
+    ("twist of a rate, rate of a twist, below half a turn", RATES, True),
     ("pose of v, at half a turn and on shadows", ("pose: Q", "pose: ρ"), False),
-    ("twist of a rate, rate of a twist, at half a turn and on shadows", ("twist", "rate", "body_twist", "body_rate"), False),
+    ("twist of a rate, rate of a twist, at half a turn and on shadows", RATES, False),
 )
 USUAL = 8
 """Largest order of the first table."""

@@ -1,4 +1,4 @@
-"""Pages of functions: their lists with what each takes and gives, formulas of theorems, and the targets that have them."""
+"""Pages of functions: lists with what each takes and gives, formulas of theorems, targets that have a function."""
 
 from __future__ import annotations
 
@@ -24,7 +24,8 @@ LISTS = "reference/functions"
 """Page with the lists of the functions of a chart."""
 BODY = "body_"
 SHAPE = re.compile(r"^(?:(.+) : )?array, shape \((?:\.\.\.(?:, )?)?(.*?),?\)")
-MOTION = tuple(heading for heading in sheet.MOTION_OF_ORDER if heading.startswith(("Rate", "Jacobian", "Transition")))
+WITH = ("Rate", "Jacobian", "Transition", "Twist")
+MOTION = tuple(heading for heading in sheet.MOTION_OF_ORDER if heading.startswith(WITH))
 """Parts of the formula sheet with the formulas of functions whose docstrings have none."""
 
 
