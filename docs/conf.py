@@ -84,7 +84,7 @@ html_theme_options = {
     "footer_end": [],
     **publication.theme_options(REPOSITORY),
 }
-WITHOUT_PAGES_BELOW = ("index", "install", "symptoms", "sheet", "changelog", "cite", "licence")
+WITHOUT_PAGES_BELOW = ("index", "install", "symptoms", "glossary", "sheet", "changelog", "cite", "licence")
 html_sidebars = {page: [] for page in WITHOUT_PAGES_BELOW}
 templates_path = ["_templates", "_templates/components"]
 
