@@ -29,6 +29,7 @@ extensions = [
     "sphinx_design",
     "sphinx_gallery.gen_gallery",
     "_ext.function_pages",
+    "_ext.printed",
     "_ext.publication",
     "_ext.reference",
     "_ext.sheet",

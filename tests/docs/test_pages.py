@@ -24,7 +24,7 @@ from derive.cli.commands import cli
 from derive.codegen.signatures import POSES
 from derive.codegen.targets import TARGETS
 from derive.proof import theorems
-from docs._ext import function_pages, links, publication, reference
+from docs._ext import function_pages, links, printed, publication, reference, reference_figures
 from dualcay import cayley2
 from dualcay.rotation import cayley2 as rotation
 from tests.support import compilers, examples, packages, pages
@@ -154,6 +154,11 @@ def test_lists_tell_what_each_function_takes_gives_and_where_it_is() -> None:
     assert function_pages.targets("rate") == [*TARGETS, "Dask"]
     assert function_pages.targets("random") == ["numpy", "numba"]
     assert {"twist_jacobian", "body_rate_dot", "compose_jacobians"} <= function_pages.formulas().keys()
+
+
+def test_pictures_and_results_of_examples() -> None:
+    for one in (printed.with_result, reference_figures.first_panel):
+        assert examples.failures(one.__doc__ or "", one.__name__, {**vars(printed), **vars(reference_figures)}) == ""
 
 
 def test_toolkit_page_names_the_symbols_and_parts_of_charts() -> None:

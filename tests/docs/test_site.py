@@ -153,7 +153,7 @@ FIRST = {
     "index.html": ("pose in six numbers", "pip install"),
     "tutorials/heavy_top.html": ("At the end you have", "download heavy_top.ipynb"),
     FUNCTION: ("dualcay.cayley2. tangent", "[source]", "Parameters"),
-    "errata.html": ("What was decided", "36", "true as printed"),
+    "errata.html": ("What was decided", "erratum", "CP23 36"),
     "benchmarks.html": ("Speed",),
     "theorems.html": ("Order n: maps and twists", "theorem formula certificate Coq"),
     "coming_from/gtsam.html": ("GTSAM dualcay", "gtsam.Pose3.Expmap(v).matrix()", "exponential.pose(v)"),
