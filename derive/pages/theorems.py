@@ -26,9 +26,10 @@ equations in CP23 (Condurache and Popa 2023).
 
 ENTRIES = """## For every order
 
-In an entry, $`\\left[p_{n}\\right]_{n \\to 1 + n}`$ is $`p_{n+1}`$. A residue is the difference of two sides as a polynomial;
-all of them are 0. A multiplier is a denominator that was multiplied out; it is proved not to be a zero divisor.
-A control is the theorem with one error in its claim, a premise or a multiplier; every control failed, as it must.
+In an entry, $`\\left[p_{n}\\right]_{n \\to 1 + n}`$ is $`p_{n+1}`$. A residue is the difference of two sides as a
+polynomial; all of them are 0. A multiplier is a denominator that was multiplied out; it is proved not to be a zero
+divisor. A control is the theorem with one error in its claim, a premise or a multiplier; every control failed, as it
+must.
 
 `make proofs` writes this page.
 """

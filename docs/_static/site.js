@@ -22,7 +22,8 @@ document.addEventListener("DOMContentLoaded", () => {
   }
   // A table that is wider than its place says so; folded ones are measured when they open.
   const mark = table => table.classList.toggle("scrolls", table.scrollWidth > table.clientWidth + 1);
-  const seen = new ResizeObserver(entries => entries.forEach(entry => mark(entry.target)));
+  // The mark changes a table's height, so it waits for the next frame.
+  const seen = new ResizeObserver(entries => requestAnimationFrame(() => entries.forEach(entry => mark(entry.target))));
   document.querySelectorAll(".bd-article table").forEach(table => seen.observe(table));
 });
 
