@@ -111,6 +111,7 @@ accuracy: $(VENV)/.bench  ## largest errors and their figures; search for worse 
 
 docs: $(VENV)/.docs $(MATHJAX_READY)  ## the site, built offline: build/docs/html/index.html
 	$(RUN) -m sphinx -W --keep-going --jobs auto --quiet docs build/docs/html
+	$(RUN) -m docs._ext.links build/docs/html
 
 clean:  ## remove the environment, caches and what the site's build writes
 	rm -rf $(VENV) build dist .pytest_cache .mypy_cache .ruff_cache .hypothesis

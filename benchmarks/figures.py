@@ -4,7 +4,7 @@
 accuracy error against angle, of our kernels and other libraries: the main panels of docs/accuracy.md
 charts   |v| against the angle, chart by chart, and where each is singular
 screw    a body on a screw motion, by ``from_screw``
-motion   size and deviation of v along a tumbling motion with its switches, for docs/motion.md
+motion   size and deviation of v along a tumbling motion with its switches, for docs/explanation/motion.md
 ======== ====================================================================================================
 
 Backgrounds are transparent, and colours are visible on white and on black.

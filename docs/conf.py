@@ -10,6 +10,8 @@ from pathlib import Path
 ROOT = Path(__file__).parent.parent
 sys.path[:0] = [str(ROOT), str(ROOT / "generated"), str(ROOT / "docs")]
 
+from _ext import publication  # noqa: E402
+
 from derive import about  # noqa: E402
 
 project = "dualcay"
@@ -21,10 +23,14 @@ extensions = [
     "sphinx.ext.autodoc",
     "sphinx.ext.autosummary",
     "sphinx.ext.mathjax",
+    "sphinx.ext.viewcode",
     "numpydoc",
     "myst_nb",
     "sphinx_design",
     "sphinx_gallery.gen_gallery",
+    "_ext.function_pages",
+    "_ext.printed",
+    "_ext.publication",
     "_ext.reference",
     "_ext.sheet",
 ]
@@ -53,31 +59,35 @@ os.environ["IPYTHONDIR"] = str(profile.parent)
 mathjax_path = "mathjax/tex-chtml.js"
 mathjax4_config = {
     "loader": {
-        "load": ["ui/lazy", "[tex]/boldsymbol", "[tex]/color"],
+        "load": ["ui/lazy", "[tex]/boldsymbol", "[tex]/colorv2"],
         "paths": {"mathjax-newcm": "[mathjax]/mathjax-newcm-font"},
     },
     "output": {"fontPath": "[mathjax]/mathjax-newcm-font", "displayOverflow": "scroll"},
     "options": {"enableMenu": False, "enableEnrichment": False, "enableSpeech": False, "enableBraille": False},
     # an unknown command is an error, which a test finds
-    "tex": {"packages": {"[+]": ["boldsymbol", "color"], "[-]": ["noundefined"]}},
+    "tex": {"packages": {"[+]": ["boldsymbol", "colorv2"], "[-]": ["noundefined"]}},
 }
 
 html_theme = "pydata_sphinx_theme"
-html_context = {"default_mode": "auto"}  # light or dark, as the reader's system
+REPOSITORY = publication.repository()
+html_context = {"default_mode": "auto", **publication.html_context(REPOSITORY)}  # light or dark, as the reader's system
 html_title = "dualcay"
 html_favicon = "_static/favicon.svg"
 html_static_path = ["_static", str(ROOT / "build" / "docs" / "assets")]
 html_css_files = ["site.css"]
+html_js_files = ["site.js"]
 html_theme_options = {
-    "navbar_end": ["theme-switcher"],
+    "navbar_end": ["theme-switcher", "navbar-icon-links"],
+    "header_links_before_dropdown": 6,
     "show_prev_next": True,
-    "secondary_sidebar_items": ["page-toc"],
-    "footer_start": ["copyright"],
+    "secondary_sidebar_items": ["page-toc", "edit-this-page"],
+    "footer_start": ["about"],
     "footer_end": [],
+    **publication.theme_options(REPOSITORY),
 }
-html_sidebars = {page: [] for page in ("index", "symptoms", "sheet")}  # they have no pages below
-html_show_sourcelink = False
-templates_path = ["_templates"]
+WITHOUT_PAGES_BELOW = ("index", "install", "symptoms", "glossary", "sheet", "changelog", "cite", "licence")
+html_sidebars = {page: [] for page in WITHOUT_PAGES_BELOW}
+templates_path = ["_templates", "_templates/components"]
 
 autodoc_typehints = "none"
 autosummary_generate = [f"reference/{page}.md" for page in ("functions", "charts", "tools", "toolkit")]

@@ -11,7 +11,7 @@ its screw.
 .. image:: /figures/arm.png
 """
 
-# sphinx_gallery_thumbnail_path = 'figures/arm.png'
+# sphinx_gallery_thumbnail_path = 'reference/generated/thumbnail_arm.png'
 
 import argparse
 from collections.abc import Sequence

@@ -14,7 +14,7 @@ squared error (NEES) of the six states, eᵀ P⁻¹ e, has the mean 6 if a filte
 .. image:: /figures/attitude_filter.png
 """
 
-# sphinx_gallery_thumbnail_path = 'figures/attitude_filter.png'
+# sphinx_gallery_thumbnail_path = 'reference/generated/thumbnail_attitude_filter.png'
 
 import argparse
 from collections.abc import Callable, Sequence

@@ -14,7 +14,7 @@ T depends on v, so Newton's method needs the derivatives of both sides at fixed 
 .. image:: /figures/heavy_top.png
 """
 
-# sphinx_gallery_thumbnail_path = 'figures/heavy_top.png'
+# sphinx_gallery_thumbnail_path = 'reference/generated/thumbnail_heavy_top.png'
 
 import argparse
 from collections import namedtuple

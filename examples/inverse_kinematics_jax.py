@@ -11,7 +11,7 @@ Sugihara (IEEE Trans. Robotics 27, 2011): it keeps steps short far away and vani
 .. image:: /figures/inverse_kinematics_jax.png
 """
 
-# sphinx_gallery_thumbnail_path = 'figures/inverse_kinematics_jax.png'
+# sphinx_gallery_thumbnail_path = 'reference/generated/thumbnail_inverse_kinematics_jax.png'
 
 import argparse
 import importlib

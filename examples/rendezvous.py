@@ -13,7 +13,7 @@ integrates pose and covariance along the twist in the frame of the body. Random 
 .. image:: /figures/rendezvous.png
 """
 
-# sphinx_gallery_thumbnail_path = 'figures/rendezvous.png'
+# sphinx_gallery_thumbnail_path = 'reference/generated/thumbnail_rendezvous.png'
 
 import argparse
 from collections.abc import Sequence

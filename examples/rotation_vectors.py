@@ -14,7 +14,7 @@ sweeps the gripper through a whole turn.
 .. image:: /figures/rotation_vectors.png
 """
 
-# sphinx_gallery_thumbnail_path = 'figures/rotation_vectors.png'
+# sphinx_gallery_thumbnail_path = 'reference/generated/thumbnail_rotation_vectors.png'
 
 import argparse
 from collections.abc import Sequence

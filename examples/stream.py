@@ -12,7 +12,7 @@ Chunks are drawn, moved and summed one by one. The peak of memory depends on the
 .. image:: /figures/stream.png
 """
 
-# sphinx_gallery_thumbnail_path = 'figures/stream.png'
+# sphinx_gallery_thumbnail_path = 'reference/generated/thumbnail_stream.png'
 
 import argparse
 import resource

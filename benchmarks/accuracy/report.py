@@ -176,7 +176,7 @@ def gate_tables(measurements: Sequence[Measurement]) -> Iterator[str]:
             for inside, where in ((True, "principal range, angle below π"), (False, "at π and beyond")):
                 found = {name: rows.get((kind, dtype, name, inside), {}) for name in ROWS[kind]}
                 orders = [n for n in ORDERS if any(n in row for row in found.values())]
-                yield f"### {dtype} (eps = {eps:.3g}){title}, {where}"
+                yield f"<details><summary>{dtype} (eps = {eps:.3g}){title}, {where}</summary>"
                 yield ""
                 body = [
                     [name, gate_text(row.values()), *(cell(row.get(n)) for n in orders)]
@@ -184,6 +184,42 @@ def gate_tables(measurements: Sequence[Measurement]) -> Iterator[str]:
                     if row
                 ]
                 yield from markdown(["function", "gate", *(f"n = {n}" for n in orders)], body)
+                yield from ("</details>", "")
+
+
+# Questions, rows of the tables that answer them, and whether they are about the principal range.
+RATES = ("twist", "rate", "body_twist", "body_rate")
+QUESTIONS = (
+    ("pose of v, below half a turn", ("pose: Q", "pose: ρ"), True),
+    ("v of its pose, below half a turn, n ≥ 2", ("round_trip",), True),
+    ("twist of a rate, rate of a twist, below half a turn", RATES, True),
+    ("pose of v, at half a turn and on shadows", ("pose: Q", "pose: ρ"), False),
+    ("twist of a rate, rate of a twist, at half a turn and on shadows", RATES, False),
+)
+USUAL = 8
+"""Largest order of the first table."""
+
+
+def answers(rows: Rows) -> list[str]:
+    """Return the first table: correct digits for orders up to `USUAL`, and the range of |v|."""
+    body = []
+    for question, names, inside in QUESTIONS:
+        cells = []
+        for dtype in ("float64", "float32"):
+            found = [rows.get((POSES.name, dtype, name, inside), {}) for name in names]
+            first = 2 if names == ("round_trip",) else 1
+            most = max((w.error for row in found for n, w in row.items() if first <= n <= USUAL), default=math.nan)
+            digits = -math.log10(most * float(np.finfo(DTYPES[dtype]).eps))
+            cells.append(f"{digits:.1f} ({most:.2g} eps)")
+        body.append([question, *cells])
+    ranges = (", ".join(_scale(largest(n, DTYPES[dtype])) for n in (1, 2, 3)) for dtype in ("float64", "float32"))
+    body.append(["largest size of v for n = 1, 2, 3", *ranges])
+    return markdown(["digits that are right, in the worst case found", "float64", "float32"], body)
+
+
+def _scale(size: np.longdouble) -> str:
+    """Return a size with two digits; longdouble may be beyond the range of Python's floats."""
+    return f"{size:.2g}" if size < 1e4 else np.format_float_scientific(size, precision=1, trim="-", exp_digits=1)
 
 
 def summary(measurements: Iterable[Measurement]) -> Iterator[str]:
@@ -231,8 +267,8 @@ def out_of_range(measurements: Sequence[Measurement]) -> Iterator[str]:
     yield ""
     yield (
         f"Up to n = {HORNER_LIMIT} the kernels compute p² + x q² = (1 + |v|²)ⁿ in the type they are given, for larger "
-        "n (1 + |v|²)⁴: they divide powers out along the way. Where that overflows, results are NaN. Largest |v|, "
-        "and samples left out of the tables above:"
+        "n (1 + |v|²)⁴: they divide powers out along the way. Where that overflows, results are NaN. Below these |v| "
+        "no multiple of it overflows either. Samples beyond are left out of the tables above:"
     )
     yield ""
     body = []
@@ -240,31 +276,33 @@ def out_of_range(measurements: Sequence[Measurement]) -> Iterator[str]:
         limits = []
         for n in ORDERS:
             size = largest(n, DTYPES[dtype])
-            limit = f"{size:.3g}" if size < 1e4 else f"1e{math.floor(np.log10(size))}"
             left = counts.get((dtype, n), 0)
-            limits.append(limit + (f" ({left} left out)" if left else ""))
+            limits.append(_scale(size) + (f" ({left} left out)" if left else ""))
         body.append([dtype, *limits])
     yield from markdown(["type", *(f"n = {n}" for n in ORDERS)], body)
 
 
-INTRODUCTION = f"""# Accuracy
+INTRODUCTION = """# Accuracy
 
-This page shows how far results of the kernels are from the exact values. Each function is compared with {DIGITS}-digit
-arithmetic that shares no formula with it, on random and on difficult arguments. Errors are counted in eps, the
-rounding unit of the number type: 2.2e-16 for float64, 1.2e-07 for float32. A gate is the largest error allowed; the
-first table has the error nearest to it, and the others have errors by function and order. `make accuracy` measures,
-and writes this page.
+This page shows how far results of the kernels are from the exact values. The table has the digits that are right in the
+worst case found, up to n = 8. The error is counted in eps, the rounding unit of the number type: 2.2e-16 for float64,
+1.2e-07 for float32. Below the figure are other libraries, the gate of every function, and bounds that are certified.
 """
 
+MEASURED = "## How it is measured"
 BESIDE = "## Beside other libraries"
 
 
-def page(measurements: Sequence[Measurement], figures: Drawn) -> str:
-    """Return the whole page."""
-    lines = [
-        INTRODUCTION,
-        f"Arguments: {COUNT} seeded samples per order, type and regime, and the worst inputs found before "
-        "(`benchmarks/worst_cases.json`).",
+def method() -> list[str]:
+    """Return the section on arguments, norms and gates."""
+    return [
+        MEASURED,
+        "",
+        f"Each function is compared with {DIGITS}-digit arithmetic that shares no formula with it, on {COUNT} seeded "
+        "samples per order, type and regime, and on the worst inputs found before (`benchmarks/worst_cases.json`). "
+        "`make accuracy` measures, and writes this page.",
+        "",
+        "<details><summary>Norms of errors, samples, and gates on shadows</summary>",
         "",
         "Errors are normwise, in eps of the type. That of the real part is ‖Δ‖ / ‖Re‖, that of the dual part ‖Δ‖ / "
         "(sum of the norms of its terms); the larger is shown. For inverse maps, for shadows, and for rates outside "
@@ -280,14 +318,29 @@ def page(measurements: Sequence[Measurement], figures: Drawn) -> str:
         "numbers and lose digits from |v| = 1e5 on, within 4e-5 of 2π. The norms for derivatives include an allowance "
         "for this.",
         "",
+        "</details>",
+        "",
+    ]
+
+
+def page(measurements: Sequence[Measurement], figures: Drawn) -> str:
+    """Return the whole page."""
+    lines = [
+        INTRODUCTION,
+        *answers(table(measurements)),
+        "![Error of a pose against its angle, beside other libraries](figures/accuracy.png)",
+        "",
+        *method(),
+        "## Gates",
+        "",
+        "A gate is the largest error allowed. Each row has the largest error, and the one nearest to its gate.",
+        "",
         *(f"- {line}" for line in verdict(measurements)),
         "",
         *summary(measurements),
-        "Regimes, as abbreviated in the tables: "
-        + "; ".join(f"**{SHORT[r]}** {MEANING[r]}" for r in (*PRINCIPAL, *OUTSIDE))
-        + ".",
-        "",
         "## Worst errors in eps, with their regime",
+        "",
+        "Regimes: " + "; ".join(f"**{SHORT[r]}** {MEANING[r]}" for r in (*PRINCIPAL, *OUTSIDE)) + ".",
         "",
         *gate_tables(measurements),
         *certified.section(),

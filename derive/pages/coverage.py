@@ -30,7 +30,7 @@ _BRANCH = "the branch nearest v"
 _PRINCIPAL = "the principal v of the product quaternion"
 _SHADOW = ("shadow, even branch", "shadow, odd branch")
 
-_ROWS: Mapping[str, Coverage] = {
+_NAMED: Mapping[str, Coverage] = {
     "quaternion": Coverage("exact", ("quaternion", "screw")),
     "tensor": Coverage("exact", ("tensor", "orthogonality", "screw", "exponential")),
     "pose": Coverage("exact", ("pose", "orthogonality")),
@@ -79,5 +79,8 @@ _ROWS: Mapping[str, Coverage] = {
 }
 """Coverage by names of kernel functions."""
 
-COVERAGE = {name: covered for names, covered in _ROWS.items() for name in names.split()}
+ROWS = {tuple(names.split()): covered for names, covered in _NAMED.items()}
+"""Coverage by the functions that share it."""
+
+COVERAGE = {name: covered for names, covered in ROWS.items() for name in names}
 """Coverage by kernel function."""

@@ -23,7 +23,6 @@ from ..proof.phi_theorems import phi, phi_1, phi_2, psi, psi_1, rho
 from ..proof.proved import CLAIMS, proofs, require
 from ..proof.statement import Equation
 from ..proof.theorem import Theorem, decided
-from .theorems import title
 
 ORDERS = (1, 2, 3)
 """Orders whose explicit formulas the sheet shows."""
@@ -147,7 +146,7 @@ def sheet(claimed: Iterable[Theorem] | None = None) -> tuple[Page, ...]:
     known = {proof.name: proof for proof in decided(CLAIMS if claimed is None else claimed)}
 
     def blocks(table: Mapping[str, tuple[Wanted, ...]]) -> tuple[Block, ...]:
-        return tuple(Block(heading, tuple(_lines(wanted, known))) for heading, wanted in table.items())
+        return tuple(Block(heading, tuple(lines(wanted, known))) for heading, wanted in table.items())
 
     of_orders = (block for order in ORDERS for block in _of_order(Cayley(order), known))
     contents = {
@@ -165,7 +164,7 @@ def proved(proof: Proof) -> Proof:
     return proof
 
 
-def _lines(
+def lines(
     table: Iterable[Wanted], known: Mapping[str, Proof], changes: Mapping[sympy.Expr, sympy.Expr] | None = None
 ) -> Iterator[Line]:
     """Yield the wanted equations of theorems, with symbols replaced by `changes`.
@@ -178,7 +177,7 @@ def _lines(
         wanted = ((p, proof.claim[p]) if isinstance(p, int) else (p, defined[p]) for p in places)
         for (given, numbers), found in groupby(wanted, lambda pair: (isinstance(pair[0], str), pair[1].numbers)):
             formulas = tuple(_changed(equation, changes).latex for _, equation in found)
-            yield Line(formulas, title(proof), numbers, given)
+            yield Line(formulas, proof.title, numbers, given)
 
 
 def _changed(equation: Equation, changes: Mapping[sympy.Expr, sympy.Expr] | None) -> Equation:
@@ -200,13 +199,13 @@ def _of_order(cayley: Cayley, known: Mapping[str, Proof]) -> Iterator[Block]:
         (
             _values({f"{name}_{order}": getattr(cayley, name) for name in "pqcd"}, found[polynomials]),
             *(_map(getattr(cayley, name), found[f"Cayley({order}).{name}"]) for name in MAPS),
-            *_lines((("screw", "v"),), known, {n: sympy.Integer(order)}),
-            Line((rf"\mathrm{{Re}}(\alpha) \in {sympy.latex(turns)}",), title(proved(found[angles]))),
+            *lines((("screw", "v"),), known, {n: sympy.Integer(order)}),
+            Line((rf"\mathrm{{Re}}(\alpha) \in {sympy.latex(turns)}",), proved(found[angles]).title),
         ),
     )
     yield Block(f"n = {order}: slopes, for J and K", (_values(slopes, found["slopes"]),))
     if closed := CLOSED.get(order):
-        yield Block(f"n = {order}: inverse map and composition", tuple(_lines(closed, known)))
+        yield Block(f"n = {order}: inverse map and composition", tuple(lines(closed, known)))
     steps = zip(*(tuple(_step(order, branch, known)) for branch in range(1, order)), strict=True)
     joined = tuple(lines[0]._replace(formulas=tuple(chain(*(line.formulas for line in lines)))) for lines in steps)
     if joined:
@@ -222,7 +221,7 @@ def _step(order: int, branch: int, known: Mapping[str, Proof]) -> Iterator[Line]
         if Equation(turn, turn.xreplace(at_branch)) not in stated:
             raise ValueError(f"branch {branch} of order {order} is not a case of the theorem {shadow.name!r}")
     step = ("Moebius step", "r_k"), ("slope of a Moebius step", 1)
-    yield from _lines(step, known, at_branch | {r_k: sympy.Symbol(f"r_{branch}")})
+    yield from lines(step, known, at_branch | {r_k: sympy.Symbol(f"r_{branch}")})
 
 
 def _of_exponential(known: Mapping[str, Proof]) -> Iterator[Block]:
@@ -232,16 +231,16 @@ def _of_exponential(known: Mapping[str, Proof]) -> Iterator[Block]:
     powers = ("exponential", 0), ("exponential of a quaternion", 0)
     slopes = (("any phi: slopes", 3, 4, 5, 6, 7, 8),)
     switch = (("any phi: change of chart or branch", "w", "C"),)
-    yield Block("Exponential: maps", (*_lines(powers, known), *maps))
-    yield Block("Exponential: slopes", tuple(_lines(slopes, known, IS_ANGLE)))
-    yield Block("Exponential: switching", tuple(_lines(switch, known, IS_ANGLE | NEXT_ANGLE)))
+    yield Block("Exponential: maps", (*lines(powers, known), *maps))
+    yield Block("Exponential: slopes", tuple(lines(slopes, known, IS_ANGLE)))
+    yield Block("Exponential: switching", tuple(lines(switch, known, IS_ANGLE | NEXT_ANGLE)))
 
 
 def _map(formula: Formula, proof: Proof) -> Line:
-    return Line((f"{formula.symbol} = {formula.explicit}",), title(proved(proof)), formula.equations)
+    return Line((f"{formula.symbol} = {formula.explicit}",), proved(proof).title, formula.equations)
 
 
 def _values(values: Mapping[str, sympy.Expr], proof: Proof) -> Line:
     """Return one line with several functions of x, by their LaTeX names."""
     shown = (f"{name} = {latex(sympy.factor(value))}" for name, value in values.items())
-    return Line(tuple(shown), title(proved(proof)))
+    return Line(tuple(shown), proved(proof).title)

@@ -1,25 +1,37 @@
-"""Page of theorems: claims, premises, multipliers, methods and numbers of controls."""
+"""Page of theorems: what is proved by whom, then for each theorem its premises, multipliers, method and controls."""
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator, Mapping
+from itertools import chain
 
 from ..proof.certificate import certificate
-from ..proof.identity import ALL_ORDERS, Proof
+from ..proof.identity import Proof
+from ..proof.notation import latex
+from ..proof.statement import Premise
 from .coq import in_coq
-from .coverage import COVERAGE
+from .coverage import ROWS
+from .sheet import CLOSED, EVERY_PHI, MAPS_OF_ORDER, MOTION_OF_ORDER
 
 HEAD = """# Theorems
 
-This page lists what is proved and from what. A theorem is an identity for every order n or every φ, and the formulas
-of the kernels are its instances. An entry states the claim with its numbers in CP23 (Condurache and Popa 2023),
-premises and method. A control is the theorem with one error in its claim, a premise or a multiplier; every control
-failed, as it must. The last two tables tell who proves a theorem, and on which theorems each kernel function rests.
+A theorem is an identity for every order n or every φ; the formulas of the kernels are its instances. The toolkit proves
+each one. A certificate holds the polynomials of a proof, which `tools/check_certificates.py` checks without the
+toolkit (`dualcay verify --certificates FILE`). Coq shares nothing with the toolkit; it proves the theorems of `proofs/`
+over any commutative ring and for every n (`make machine-proofs`). The groups are those of the
+[formula sheet](sheet.md). An entry below has premises and method, and what Coq leaves out. Numbers are those of
+equations in CP23 (Condurache and Popa 2023).
+"""
 
-`[p_n](n -> 1 + n)` is p_n at the order n + 1. A residue is the difference of two sides as a polynomial; all of them
-are 0. A multiplier is a denominator that was multiplied out; it is proved not to be a zero divisor.
+ENTRIES = """## For every order
 
-Written by `make proofs`; do not edit.
+In an entry, $`\\left[p_{n}\\right]_{n \\to 1 + n}`$ is $`p_{n+1}`$. A residue is the difference of two sides as a
+polynomial; all of them are 0. A multiplier is a denominator that was multiplied out; it is proved not to be a zero
+divisor. A control is the theorem with one error in its claim, a premise or a multiplier; every control failed, as it
+must.
+
+`make proofs` writes this page.
 """
 
 AT_ORDER = """## At one order
@@ -30,57 +42,88 @@ instances of the theorems. Independently, they follow from the definition, compo
 
 COVERED = """## Kernel functions
 
-| function | validated | theorems | validated only |
+| functions | validated | theorems | validated only |
 | --- | --- | --- | --- |"""
 
-BY = """## Who proves what
-
-The toolkit proves every statement with its own prover. A certificate holds the polynomials of a proof, which
-`tools/check_certificates.py` checks without the toolkit (`dualcay verify --certificates FILE`). Coq shares nothing
-with it; it proves the theorems of `proofs/` over any commutative ring and for every n (`make machine-proofs`).
-
-| theorem | by the toolkit | by certificate | by Coq, for every n | not covered by Coq |
+TABLE = """| theorem | formula | certificate | Coq | functions that rest on it |
 | --- | --- | --- | --- | --- |"""
+
+GROUPS = {
+    "Order n: maps and twists": chain(*MAPS_OF_ORDER.values()),
+    "Order n: Jacobians, transition, switching": chain(*MOTION_OF_ORDER.values()),
+    "Orders 1 and 2": chain(*CLOSED.values()),
+    "Every v = φ(α) u": chain(*EVERY_PHI.values()),
+}
+THEOREMS = {heading: tuple(dict.fromkeys(name for name, *_ in wanted)) for heading, wanted in GROUPS.items()}
+"""Names of theorems by the headings of the formula sheet."""
+
+FUNCTIONS = {
+    theorem: ", ".join(f"`{name}`" for names, covered in ROWS.items() if theorem in covered.theorems for name in names)
+    for theorem in chain(*(covered.theorems for covered in ROWS.values()))
+}
+"""Kernel functions by theorem."""
 
 
 def page(general: Iterable[Proof], at_order: Iterable[Proof], controls: Mapping[str, int]) -> str:
     """Return the page as Markdown, from the proofs for all orders and at one order.
 
-    The mapping `controls` gives the number of controls by the `title` of a proof.
+    The mapping `controls` gives the number of controls by the title of a proof.
     """
     general, again = tuple(general), tuple(at_order)
-    lines = [HEAD, "## For every order\n", *(line for proof in general for line in _section(proof, controls))]
-    lines += [AT_ORDER.format(scope=again[0].scope), *(line for proof in again for line in _section(proof, controls))]
     known = {proof.name: proof for proof in general}
-    lines += [BY, *(_row(proof, known) for proof in (*general, *again)), "", COVERED]
-    for name, covered in COVERAGE.items():
-        theorems = ", ".join(covered.theorems)
-        lines.append(f"| `{name}` | {covered.validation} | {theorems} | {covered.only_validated} |")
+    shown = {*chain(*THEOREMS.values())}
+    groups = {**THEOREMS, "Behind these": tuple(name for name in known if name not in shown)}
+    lines = [HEAD]
+    for heading, names in groups.items():
+        lines += [f"## {heading}\n", TABLE, *(_row(known[name], known) for name in names if name in known), ""]
+    lines += [ENTRIES, *(line for proof in general for line in _entry(proof, controls, known))]
+    lines += [AT_ORDER.format(scope=again[0].scope)]
+    lines += [*(line for proof in again for line in _entry(proof, controls, known)), COVERED]
+    for functions, covered in ROWS.items():
+        named, theorems = ", ".join(f"`{name}`" for name in functions), ", ".join(covered.theorems)
+        lines.append(f"| {named} | {covered.validation} | {theorems} | {covered.only_validated} |")
     return "\n".join([*lines, ""])
 
 
-def title(proof: Proof) -> str:
-    """Return the title of a proof: its name and scope."""
-    return proof.name if proof.scope == ALL_ORDERS else f"{proof.name} [{proof.scope}]"
+def anchor(proof: Proof) -> str:
+    """Return the anchor of a proof's entry, made from its title as those of headings are."""
+    return re.sub(r"[^\w -]", "", proof.title.lower()).replace(" ", "-")
 
 
 def _row(proof: Proof, known: Mapping[str, Proof]) -> str:
-    """Return the row of a proof; a statement without certificate gives the reason."""
-    entry, written = in_coq(proof), certificate(proof, known)
+    """Return the row of a theorem; what does not prove it leaves its cell empty."""
+    formulas = "<br>".join(f"$`{equation.latex}`$" for equation in proof.claim).replace("|", r"\vert ")
+    certified = not isinstance(certificate(proof, known), str)
     cells = (
-        proof.name, proof.scope, f"no: {written.partition('; ')[0]}" if isinstance(written, str) else "yes",
-        ", ".join(f"`{name}`" for name in entry.theorems), entry.left_out,
+        f"[{proof.name}](#{anchor(proof)})", formulas, "yes" * certified, "yes" * bool(in_coq(proof).theorems),
+        FUNCTIONS.get(proof.name, ""),
     )  # fmt: skip
     return f"| {' | '.join(cells)} |"
 
 
-def _section(proof: Proof, controls: Mapping[str, int]) -> Iterator[str]:
-    yield f"### {title(proof)}\n"
+def _entry(proof: Proof, controls: Mapping[str, int], known: Mapping[str, Proof]) -> Iterator[str]:
+    """Yield the lines of a folded entry."""
+    yield f'<details><summary><b>{proof.title}</b></summary>\n\n<a id="{anchor(proof)}"></a>'
     for equation in proof.claim:
         numbers = ", ".join(f"({number})" for number in equation.numbers)
         yield f"- $`{equation.latex}`${f' — CP23 {numbers}' if numbers else ''}"
-    yield from (f"- given `{premise}`" for premise in proof.premises)
-    yield from (f"- where `{condition}`, by the theorems cited" for condition in proof.conditions)
-    yield from (f"- multiplied by `{factor}`, zero where `{factor.text} = 0`" for factor in proof.multipliers)
+    yield from (f"- given $`{premise.equation.latex}`${_source(premise)}" for premise in proof.premises)
+    yield from (f"- where $`{condition.latex}`$, by the theorems cited" for condition in proof.conditions)
+    for factor in proof.multipliers:
+        base, power = latex(factor.expression), "" if factor.power == 1 else f" to the power {factor.power}"
+        yield f"- multiplied by $`{base}`${power}, zero where $`{base} = 0`$"
     yield f"- by {proof.method}; residues: {len(proof.residues)}"
-    yield f"- controls: {controls[title(proof)]}\n"
+    written, entry = certificate(proof, known), in_coq(proof)
+    if isinstance(written, str):
+        yield f"- no certificate: {written.partition('; ')[0]}"
+    if entry.theorems:
+        yield f"- in Coq: {', '.join(f'`{name}`' for name in entry.theorems)}"
+    if entry.left_out:
+        yield f"- not covered by Coq: {entry.left_out}"
+    yield f"- controls: {controls[proof.title]}\n\n</details>\n"
+
+
+def _source(premise: Premise) -> str:
+    """Return where a premise comes from, nothing for a definition."""
+    at = ", ".join(f"$`{latex(old)} \\to {latex(new)}`$" for old, new in premise.instance)
+    return f", theorem “{premise.theorem}”{f' at {at}' if at else ''}" if premise.theorem else ""

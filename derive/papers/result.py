@@ -174,8 +174,8 @@ class Result(Typeset):
 
     def _typeset(self) -> str:
         body = rf"\text{{({self.equation.number}) {self.status}:}}\quad {self.printed}"
-        if self.corrected is not None:
-            body += rf"\quad\longrightarrow\quad {self.corrected}"
+        if self.corrected is not None:  # on a line of its own
+            body = rf"\begin{{gathered}} {body} \\ \longrightarrow\quad {self.corrected} \end{{gathered}}"
         return body
 
 

@@ -15,7 +15,7 @@ from pathlib import Path
 from ..maps import Cayley
 from ..output import files
 from ..output.progress import bar
-from ..pages.theorems import page, title
+from ..pages.theorems import page
 from .controls import Control, controls, controls_at, controls_of
 from .displacement_theorems import CLOSED_AT
 from .identity import ALL_ORDERS, Proof
@@ -55,7 +55,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         print(line, file=sys.stderr)
     if wrong or missed:
         return 1
-    text = page(general, again[SHOWN], Counter(title(control.proof) for control in altered))
+    text = page(general, again[SHOWN], Counter(control.proof.title for control in altered))
     return _deliver(text, options.output, options.check)
 
 

@@ -77,6 +77,11 @@ class Proof(Typeset):
     residues: tuple[Residue, ...] = field(compare=False, repr=False)  # all checked differences
 
     @property
+    def title(self) -> str:
+        """Name, and the scope unless it is all orders."""
+        return self.name if self.scope == ALL_ORDERS else f"{self.name} [{self.scope}]"
+
+    @property
     def statement(self) -> str:
         """Claim in plain text."""
         return "; ".join(equation.text for equation in self.claim)

@@ -23,7 +23,7 @@ from derive.papers.language.operations import OPERATIONS
 from dualcay import cayley2
 from dualcay.rotation import cayley2 as rotation
 
-from . import reference_figures
+from . import function_pages, reference_figures
 
 GENERATED = "reference/generated"
 HOMES = (dualcay, cayley2, rotation)
@@ -171,6 +171,8 @@ def context() -> dict[str, Any]:
         "facts": {f"dualcay.{name}": facts(name) for name in charts()},
         "rotations": functions(rotation),
         "figures": {name: draw.__name__ for name, draw in reference_figures.FIGURES.items()},
+        "formulas": function_pages.formulas(),
+        "targets": {name: function_pages.targets(name) for name in functions(cayley2)},
         "captions": {name: inspect.getdoc(draw) for name, draw in reference_figures.FIGURES.items()},
     }
 

@@ -8,6 +8,7 @@ from typing import Any
 
 import matplotlib
 import numpy as np
+from matplotlib import image
 from matplotlib.figure import Figure
 
 from dualcay import unwrap as continued
@@ -59,8 +60,34 @@ FIGURES: Mapping[str, Callable[[Any], None]] = {
 """Figure of a function, by the function's name."""
 
 
+GAP, PANEL = 5, 0.3
+"""Width of the ground between two panels in pixels at least, and share of a panel in the picture at least."""
+
+
+def first_panel(picture: Any) -> Any:
+    """Return the part of a picture before its first gap: the left panel, or the upper one of a column.
+
+    Examples
+    --------
+    >>> picture = np.zeros((40, 100, 3))
+    >>> picture[:, 45:55] = 1  # white ground between two panels
+    >>> first_panel(picture).shape
+    (40, 45, 3)
+    """
+    white = (picture[..., :3] > 0.99).all(-1) | (picture[..., 3:] < 0.01).any(-1)
+    for axis in (1, 0):
+        empty = white.all(1 - axis)
+        size = len(empty)
+        for end in range(int(PANEL * size), size - int(PANEL * size)):
+            if empty[end : end + GAP].all():
+                return picture[:, :end] if axis else picture[:end]
+    return picture
+
+
 def draw(folder: Path) -> None:
-    """Write every figure into a folder."""
+    """Write every figure into a folder, and a thumbnail of each example."""
+    for path in sorted((folder.parents[1] / "figures").glob("*.png")):
+        image.imsave(folder / f"thumbnail_{path.name}", first_panel(image.imread(path)))
     with matplotlib.rc_context({"svg.hashsalt": "dualcay", "svg.fonttype": "path"}):
         for function in set(FIGURES.values()):
             figure = Figure(figsize=(6, 3), layout="constrained")

@@ -98,8 +98,9 @@ def test_missed_gates_are_named() -> None:
     page = report.page(measurements(1.1), drawn)
     assert all(f"- {line}" in page for line in found)
     assert "**4.4 u**" in page
+    assert "| pose of v, at half a turn and on shadows | 14.4 (18 eps) |" in page
     assert "(6 left out)" in page
-    assert "### float64 (eps = 2.22e-16), rotations alone, at π and beyond" in page
+    assert "<summary>float64 (eps = 2.22e-16), rotations alone, at π and beyond</summary>" in page
     assert "| derivatives of T and T⁻¹ | 4 | 4.4, " in page
     assert "![A caption](a.png)" in page
     assert "out of range, n = 2, float64: 6 poses" in page

@@ -22,8 +22,9 @@ from benchmarks import page as speed
 from benchmarks.accuracy import report as accuracy
 from derive.cli.commands import cli
 from derive.codegen.signatures import POSES
+from derive.codegen.targets import TARGETS
 from derive.proof import theorems
-from docs._ext import reference
+from docs._ext import function_pages, links, printed, publication, reference, reference_figures
 from dualcay import cayley2
 from dualcay.rotation import cayley2 as rotation
 from tests.support import compilers, examples, packages, pages
@@ -95,6 +96,30 @@ def test_false_sessions_commands_and_links_are_reported(tmp_path: Path) -> None:
     assert pages.dead_links(page) == ["there.md"]
 
 
+def test_dead_links_of_a_site_are_found(tmp_path: Path) -> None:
+    texts = {
+        "index": '<a href="page.html#here">1</a> <img alt="" src="picture.png">',
+        "page": '<p id="here"></p><a href="#there">2</a><a href="https://a.b">3</a>',
+        "left_over": '<a href="gone.html">4</a>',
+    }
+    for name, text in texts.items():
+        (tmp_path / f"{name}.html").write_text(text, encoding="utf-8")
+    assert links.dead_links(tmp_path) == ["index.html: picture.png", "page.html: #there"]
+
+
+def test_repository_has_one_setting() -> None:
+    assert publication.theme_options("") == publication.html_context("") == {}
+    [link] = publication.theme_options("https://a.b/c")["icon_links"]
+    assert link["url"] == "https://a.b/c"
+    assert publication.html_context("https://a.b/c")["edit_page_url_template"].startswith("https://a.b/c/edit/main/docs/")
+
+
+def test_citation_is_bibtex() -> None:
+    assert examples.failures(publication.bibtex.__doc__ or "", "bibtex", vars(publication)) == ""
+    text = publication.bibtex((ROOT / "CITATION.cff").read_text(encoding="utf-8"), "")
+    assert f"version = {{{derive.__version__}}}" in text
+
+
 @pytest.mark.parametrize(
     ("name", "introduction"), [("accuracy", accuracy.INTRODUCTION), ("benchmarks", speed.INTRODUCTION)]
 )
@@ -120,6 +145,20 @@ def listed(text: str) -> Counter[str]:
 def test_pages_list_each_public_name_once(page: str) -> None:
     text = (ROOT / "docs" / "reference" / f"{page}.md").read_text(encoding="utf-8")
     assert listed(text) == dict.fromkeys(EXPECTED[page], 1)
+
+
+def test_lists_tell_what_each_function_takes_gives_and_where_it_is() -> None:
+    assert examples.failures(function_pages.arrays.__doc__ or "", "arrays", vars(function_pages)) == ""
+    assert all(all(function_pages.takes_and_gives(name)) for name in POSES.public)
+    assert function_pages.takes_and_gives("to_screw") == ("v (6)", "angle (2), line (6)")
+    assert function_pages.targets("rate") == [*TARGETS, "Dask"]
+    assert function_pages.targets("random") == ["numpy", "numba"]
+    assert {"twist_jacobian", "body_rate_dot", "compose_jacobians"} <= function_pages.formulas().keys()
+
+
+def test_pictures_and_results_of_examples() -> None:
+    for one in (printed.with_result, reference_figures.first_panel):
+        assert examples.failures(one.__doc__ or "", one.__name__, {**vars(printed), **vars(reference_figures)}) == ""
 
 
 def test_toolkit_page_names_the_symbols_and_parts_of_charts() -> None:

@@ -15,6 +15,7 @@ from pathlib import Path
 import pytest
 from filelock import FileLock
 
+from docs._ext import links
 from tests.support import browsers, pages
 
 pytestmark = [pytest.mark.browser, pytest.mark.thorough]
@@ -36,6 +37,12 @@ const probe = async () => {
   for (let node; node = texts.nextNode();)
     if (/\\[([a-z]/.test(node.data) && !node.parentNode.closest("pre, code, script, mjx-container"))
       raw.push(node.data);
+  const words = page.createTreeWalker(page.querySelector("article"), NodeFilter.SHOW_TEXT), first = [];
+  for (let node, place = page.createRange(); node = words.nextNode();) {
+    place.selectNodeContents(node);
+    const { top, bottom } = place.getBoundingClientRect();
+    if (bottom > top && top < view.innerHeight) first.push(node.data);
+  }
   const target = view.location.hash && page.getElementById(view.location.hash.slice(1));
   const seen = {
     width: view.innerWidth,
@@ -48,6 +55,7 @@ const probe = async () => {
       .filter(name => !name.startsWith(location.origin) && !name.startsWith("data:")),
     overflow: Math.max(...all("html, body, main, main div:has(> article), article")
       .map(node => node.scrollWidth - node.clientWidth)),
+    first: first.join(" ").replace(/\s+/g, " "),
     shown: !target || target.checkVisibility(),
     seconds: view.performance.now() / 1000,
   };
@@ -140,18 +148,40 @@ def look(server: Server, page: str, folder: Path, width: int = 1280, theme: str 
     return seen | {"console": [line for line in found if not line.startswith(NOTES)], "failed": [*server.failed]}
 
 
-TUTORIAL, FUNCTION = "tutorials/heavy_top.html", "reference/generated/dualcay.cayley2.tangent.html"
-PAGES = ("index.html", TUTORIAL, FUNCTION, "errata.html#condurache-popa-2023-112", "field.html#kindr-411")
+FUNCTION = "reference/generated/dualcay.cayley2.tangent.html"
+FIRST = {
+    "index.html": ("pose in six numbers", "pip install"),
+    "tutorials/heavy_top.html": ("At the end you have", "download heavy_top.ipynb"),
+    FUNCTION: ("dualcay.cayley2. tangent", "[source]", "Parameters"),
+    "errata.html": ("What was decided", "erratum", "CP23 36"),
+    "benchmarks.html": ("Speed",),
+    "theorems.html": ("Order n: maps and twists", "theorem formula certificate Coq"),
+    "coming_from/gtsam.html": ("GTSAM dualcay", "gtsam.Pose3.Expmap(v).matrix()", "exponential.pose(v)"),
+    "accuracy.html": ("digits that are right", "pose of v, below half a turn"),
+    "assurance.html": ("target proved executed",),
+}
+"""Words on the first screen of a page, on a wide screen and on a phone."""
+LINKED = ("errata.html#condurache-popa-2023-112", "field.html#kindr-411", "theorems.html#rates-of-v")
+WITHOUT_FORMULAS = {"index.html", "benchmarks.html", "accuracy.html", "assurance.html", "coming_from/gtsam.html"}
 
 
 @pytest.mark.parametrize("theme", ["light", "dark"])
 @pytest.mark.parametrize("width", [1280, 390])
-@pytest.mark.parametrize("page", PAGES)
+@pytest.mark.parametrize("page", [*FIRST, *LINKED])
 def test_page_is_sound(server: Server, tmp_path: Path, page: str, width: int, theme: str) -> None:
     seen = look(server, page, tmp_path, width, theme)
     assert (seen["width"], seen["theme"]) == (width, theme)
-    assert bool(seen["formulas"]) == (page != "index.html")
+    assert bool(seen["formulas"]) == (page not in WITHOUT_FORMULAS)
     assert {name: seen[name] for name in GOOD} == GOOD
+    assert [words for words in FIRST.get(page, ()) if words not in str(seen["first"])] == []
+
+
+def test_text_below_the_first_screen_is_not_seen(server: Server, tmp_path: Path) -> None:
+    assert "Kernel functions" not in str(look(server, "theorems.html", tmp_path)["first"])
+
+
+def test_every_relative_link_exists(server: Server) -> None:
+    assert links.dead_links(SITE) == []
 
 
 FAULTS = {

@@ -88,6 +88,12 @@ class Report:
         return tuple(result for chapter in self.chapters for result in chapter.results)
 
     @property
+    def errata(self) -> tuple[tuple[Chapter, Result], ...]:
+        """Errata with their chapters, those of numbered equations first."""
+        found = ((chapter, result) for chapter in self.chapters for result in chapter.of(Status.ERRATUM))
+        return tuple(sorted(found, key=lambda pair: not pair[1].equation.number.isdecimal()))
+
+    @property
     def failed(self) -> tuple[Proof, ...]:
         """Proofs that failed."""
         return tuple(proof for proof in self.proofs if not proof.proved)
@@ -152,6 +158,18 @@ def why(result: Result) -> str:
     """Return a one-sentence explanation of an erratum: its remark or title."""
     entry = result.equation
     return (entry.remark or entry.title).split(". ")[0].rstrip(".") + "."
+
+
+def subject(result: Result) -> str:
+    """Return what an erratum is about: a formula, where something holds or exists, or what an equation is called.
+
+    A formula is an equation, or several of them. A reference has no parts that could be equal.
+    """
+    statement = result.verdicts[0].statement
+    parts = statement.arguments if statement.operator.name == "both" else (statement,)
+    if all(part.operator.name == "equal" for part in parts if part.arguments) and statement.arguments:
+        return "formulas"
+    return "domains" if statement.arguments else "references"
 
 
 def command(result: Result) -> str:

@@ -9,7 +9,7 @@ from ...output.templates import holes, render
 from ..language.operator_table import define
 from ..language.printed import ATOM, LIST, POWER, PRODUCT, RELATION, SUM, Term, latex
 from ..result import Result, Status
-from .content import Report, command, details, example, extent, label, place, readings, why
+from .content import Report, command, details, example, extent, label, place, readings, subject, why
 from .plain import escape
 
 SCHEMA = 3
@@ -39,7 +39,7 @@ def as_json(report: Report) -> str:
 def page(form: str, report: Report) -> str:
     """Return the report as Markdown ("md"), HTML or LaTeX ("tex"): the template gets the functions that it names."""
     template = f"report/errata.{form}.j2"
-    functions = (label, notes, extent, place, readings, why, command, example, mathml, escape)
+    functions = (label, notes, extent, place, readings, why, subject, command, example, in_cell, mathml, escape)
     data = {"report": report, "statuses": report.statuses, "differing": differing_sides}
     data |= {status.name: status for status in Status} | {function.__name__: function for function in functions}
     return render(template, **{name: data[name] for name in holes(template)})
@@ -69,6 +69,11 @@ def _marked(a: Term, b: Term) -> tuple[Term, Term]:
         firsts, seconds = zip(*map(_marked, a.arguments, b.arguments), strict=True)
         return a.operator(*firsts), b.operator(*seconds)
     return CHANGED[a.operator.level](a), CHANGED[b.operator.level](b)
+
+
+def in_cell(latex: str) -> str:
+    """Return a formula without bars, which would end a cell of a table in Markdown."""
+    return latex.replace(r"\|", r"\Vert ").replace("|", r"\vert ")
 
 
 def mathml(latex: str) -> str:

@@ -19,7 +19,6 @@ from derive.maps import Cayley
 from derive.output.files import RefusedError
 from derive.pages import sheet, sheet_files
 from derive.pages.sheet_files import FLAGS, pieces
-from derive.pages.theorems import title
 from derive.proof import ProofFailed
 from derive.proof.identity import Proof
 from derive.proof.proved import CLAIMS
@@ -45,7 +44,7 @@ def pages() -> tuple[sheet.Page, ...]:
 
 def test_lines_have_formulas_of_theorems_on_the_page_of_theorems(pages: tuple[sheet.Page, ...]) -> None:
     lines = [line for page in pages for block in page.blocks for line in block.lines]
-    on_page = set(re.findall(r"^### (.+)$", THEOREMS, re.M))
+    on_page = set(re.findall(r"^<details><summary><b>(.+)</b></summary>$", THEOREMS, re.M))
     order = re.compile(r"(?<=[(\s])[12](?=[)\]])")  # the page shows the proofs at n = 3
     shown = {name if (name := line.theorem) in on_page else order.sub("3", name) for line in lines}
     assert len(pages) == 4
@@ -63,10 +62,10 @@ def test_numbers_are_those_of_the_theorems(pages: tuple[sheet.Page, ...]) -> Non
 
 @pytest.mark.parametrize("wanted", WANTED, ids=lambda wanted: wanted[0])
 def test_lines_of_an_unproved_theorem_are_refused(known: Mapping[str, Proof], wanted: sheet.Wanted) -> None:
-    assert all(line.theorem == title(known[wanted[0]]) for line in sheet._lines([wanted], known))
+    assert all(line.theorem == known[wanted[0]].title for line in sheet.lines([wanted], known))
     failed = replace(known[wanted[0]], status="failed")
     with pytest.raises(ProofFailed, match=re.escape(failed.statement[:20])):
-        list(sheet._lines([wanted], {**known, wanted[0]: failed}))
+        list(sheet.lines([wanted], {**known, wanted[0]: failed}))
 
 
 @pytest.mark.parametrize("name", ["twist", "any phi: inverse"])

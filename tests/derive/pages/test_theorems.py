@@ -22,7 +22,8 @@ from derive.proof.theorem import Theorem, decided
 PAGE = Path(__file__).parents[3] / "docs" / "theorems.md"
 TEXT = PAGE.read_text(encoding="utf-8")
 COUNTS = {
-    name: int(count) for name, count in re.findall(r"^### (.+)\n\n(?:.+\n)*?- controls: (\d+)$", TEXT, re.M)
+    name: int(count)
+    for name, count in re.findall(r"<summary><b>(.+)</b></summary>\n\n(?:.+\n)*?- controls: (\d+)$", TEXT, re.M)
 }
 """Number of controls by title of a part of the page."""
 

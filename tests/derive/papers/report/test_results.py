@@ -63,7 +63,9 @@ def test_only_errata_have_corrections_and_counterexamples() -> None:
 
 
 def test_notebook_shows_the_correction_beside_the_printed_form() -> None:
-    assert ERRATUM._repr_latex_() == (r"$\displaystyle \text{(7) erratum:}\quad a = b\quad\longrightarrow\quad a = -b$")
+    assert ERRATUM._repr_latex_() == (
+        r"$\displaystyle \begin{gathered} \text{(7) erratum:}\quad a = b \\ \longrightarrow\quad a = -b \end{gathered}$"
+    )
     assert IF._repr_latex_() == r"$\displaystyle \text{(7) holds-if:}\quad a = b$"
     assert repr(IF) == "<Result condurache-popa-2023 (7): holds-if>"
 

@@ -1,0 +1,45 @@
+// A button on each block of code copies it: of a session its statements alone, of a shell block no prompt.
+const copied = block => {
+  const lines = block.textContent.replace(/\n$/, "").split("\n");
+  const session = lines.some(line => line.startsWith(">>> "));
+  const kept = session ? lines.filter(line => /^(>>>|\.\.\.)( |$)/.test(line)) : lines;
+  return kept.map(line => line.replace(/^(>>>|\.\.\.|\$)( |$)/, "")).join("\n") + "\n";
+};
+
+document.addEventListener("DOMContentLoaded", () => {
+  for (const block of document.querySelectorAll(".bd-article div.highlight > pre")) {
+    if (block.closest(".cell_output") || location.pathname.includes("/_modules/")) continue;
+    const button = document.createElement("button");
+    button.className = "copy-code";
+    button.type = "button";
+    button.textContent = "copy";
+    button.addEventListener("click", async () => {
+      await navigator.clipboard.writeText(copied(block));
+      button.textContent = "copied";
+      setTimeout(() => { button.textContent = "copy"; }, 1500);
+    });
+    block.parentElement.append(button);
+  }
+  // A table that is wider than its place says so; folded ones are measured when they open.
+  const mark = table => table.classList.toggle("scrolls", table.scrollWidth > table.clientWidth + 1);
+  // The mark changes a table's height, so it waits for the next frame.
+  const seen = new ResizeObserver(entries => requestAnimationFrame(() => entries.forEach(entry => mark(entry.target))));
+  document.querySelectorAll(".bd-article table").forEach(table => seen.observe(table));
+});
+
+// Reports of many entries have a field that leaves those that contain its words.
+document.addEventListener("DOMContentLoaded", () => {
+  const article = document.querySelector(".bd-article"), entries = [...article?.querySelectorAll("details") ?? []];
+  const first = article?.querySelector("section > section");
+  if (entries.length < 40 || !first) return;
+  const field = document.createElement("input");
+  field.type = "search";
+  field.className = "filter-entries form-control";
+  field.placeholder = field.ariaLabel = "Show only entries with …";
+  const lines = [...entries, ...article.querySelectorAll("tbody tr")];
+  const words = new Map(lines.map(line => [line, (line.querySelector("summary") ?? line).textContent.toLowerCase()]));
+  field.addEventListener("input", () => {
+    for (const [line, text] of words) line.hidden = !text.includes(field.value.trim().toLowerCase());
+  });
+  first.before(field);
+});
