@@ -772,7 +772,7 @@ class PoseKernels(Kernels):
         -------
         angle : array, shape (..., 2)
             Rotation angle from 0 to the edge of the chart (rad), then translation along the axis.
-            It has no derivative at Re v = 0.
+            It has no derivative at angle 0.
 
         Examples
         --------

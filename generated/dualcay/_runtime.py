@@ -206,7 +206,8 @@ def _one_by_one(
         return None
     extra = (constants(table, dtype),) if table else ()
     try:
-        poses = zip(*[_poses(a, part, batch, axis, functions is Scalars) for a, (_, part) in zip(arrays, kernel.arguments)])
+        kept = dtype if functions is Scalars else None
+        poses = zip(*[_poses(a, part, batch, axis, kept) for a, (_, part) in zip(arrays, kernel.arguments)])
         with np.errstate(all="ignore") if functions is Scalars else nullcontext():
             results = [kernel.plain(functions, chart.plain, *pose, *extra) for pose in poses]
             finite = functions is Objects or math.isfinite(sum(chain.from_iterable(results)))
@@ -236,14 +237,16 @@ def _packed(results: Sequence[Result], size: int) -> Array:
     return array
 
 
-def _poses(array: Array, part: Shape, batch: Shape, axis: int, kept: bool) -> list[list[Any]]:
-    """Return a list of components for each pose, as Python floats or, if ``kept``, as numbers of their dtype."""
+def _poses(array: Array, part: Shape, batch: Shape, axis: int, kept: np.dtype[Any] | None = None) -> list[list[Any]]:
+    """Return a list of components for each pose, as Python's numbers, or as NumPy's numbers of a dtype."""
     if axis == 0:
         array = np.moveaxis(array, range(len(part)), range(-len(part), 0))
     if array.shape != batch + part:
         array = np.broadcast_to(array, batch + part)
     rows = array.reshape(-1, math.prod(part))
-    listed: list[list[Any]] = [list(row) for row in rows] if kept else rows.tolist()
+    if kept is not None:
+        return [list(row) for row in rows.astype(kept, copy=False)]
+    listed: list[list[Any]] = rows.tolist()
     return listed
 
 

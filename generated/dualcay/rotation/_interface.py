@@ -611,7 +611,7 @@ class RotationKernels(Kernels):
         -------
         angle : array, shape (...)
             Rotation angle from 0 to the edge of the chart (rad).
-            It has no derivative at Re v = 0.
+            It has no derivative at angle 0.
 
         Examples
         --------
