@@ -155,7 +155,9 @@ class Jax(Ruled, Unplaced):
 
     def __init__(self, xp: Any, like: Array) -> None:
         super().__init__(xp, like)
-        self.tan = lambda angle: self.once(xp.tan(angle))  # the slowest function; fusions would call it again
+        # the slowest function, which fusions would call again; XLA's sine and cosine are fast for float32 alone
+        tan = (lambda angle: xp.sin(angle) / xp.cos(angle)) if self.dtype == xp.float32 else xp.tan
+        self.tan = lambda angle: self.once(tan(angle))
 
     def apart(self, values: Sequence[Any]) -> Sequence[Any]:
         found: Sequence[Any] = importlib.import_module(self.library, __package__).apart(values)

@@ -130,10 +130,12 @@ class Oracle(Maps):
             columns.append([2 * c for c in hamilton(e_dot, conjugate(e))[1:]])
         return transpose(columns)
 
-    def retract_jacobians(self, v: Any, delta: Any, body: bool = False) -> tuple[np.ndarray, np.ndarray]:
+    def retract_jacobians(
+        self, v: Any, delta: Any, body: bool = False, other: bool = False
+    ) -> tuple[np.ndarray, np.ndarray]:
         """Solve T(w) ẇ = dexp(δ) δ̇ + exp(δ) T(v) v̇, or T(w) ẇ = T(v) v̇ + R(v) dexp(δ) δ̇ in the body frame."""
         here, small = self.unpack(v), self.unpack(delta)
-        back = inverse(self.operator_by_spin(self.unpack(self.retract(v, delta, body))))
+        back = inverse(self.operator_by_spin(self.unpack(self.retract(v, delta, body, other))))
         by_v, by_delta, q = self.operator_by_spin(here), self.step_operator(small), self.step(small)
         if body:
             by_delta = matmul(self.rotation(here), by_delta)

@@ -155,14 +155,14 @@ class Maps(FirstPrinciples):
         length = self.field.sqrt(dot(half, half))
         return (self.field.cos(length), *(self.field.sin(length) * c / length for c in half))
 
-    def retract(self, v: Any, delta: Any, body: bool = False) -> np.ndarray:
+    def retract(self, v: Any, delta: Any, body: bool = False, other: bool = False) -> np.ndarray:
         """Return the new vector on the branch with the angle, along the new axis, nearest to the angle of v.
 
-        Of two branches, return the one that a step of at most half a turn leads to.
+        Of two branches, return the one that a step of at most half a turn leads to, or the other one.
         """
         here, small = self.unpack(v), self.step(self.unpack(delta))
         q = hamilton(self.unit(here), small) if body else hamilton(small, self.unit(here))
-        if self.order == 2 and small[0].re < 0:
+        if self.order == 2 and (small[0].re < 0) != other:
             q = tuple(-c for c in q)
         half, axis = self.half_screw(q)
         theta, own = self.half_screw((self.base(here), *here))

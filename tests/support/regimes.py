@@ -123,7 +123,13 @@ class Call:
         if name == "to_screw":
             angle, axis = known.to_screw(*given)
             return [self._parts((np.array([2 * mpmath.pi - angle[0], -angle[1]]), -axis))]
+        if name in families.STEPS and known.order == 2 and self._turns_half(given[-1]):
+            return [self._parts(getattr(known, name)(*given, other=True))]
         return [self._parts(getattr(known, name)(*given, -1))] if name in SIDED else []
+
+    def _turns_half(self, delta: np.ndarray) -> bool:
+        """Tell whether a step turns by π to 8 roundings, so that both branches are equally near."""
+        return bool(abs(np.linalg.norm(delta[:3].astype(float)) / np.pi - 1) < 8 * np.finfo(self.given[0].dtype).eps)
 
 
 def _tuple(result: Any) -> tuple[Any, ...]:
