@@ -44,7 +44,7 @@ EQUIVALENT = {
     r"returned_core: if \(3 <=? 1\)": "the chart has three branches: both comparisons are false",
     r"interpolate_core: const dualcay_real z0s = still": "it is multiplied by a vector that is 0 there, and by fe",
     r"const dualcay_real fe =": "Cayley maps compute T⁻¹ from x, not from fe",
-    r"_interpolate_core: .* / 6[35]\)": "next to the limit both sides are right",
+    r"_interpolate_core: .*( / 6[35]\)|2[46] \* end < 157)": "next to the limit both sides are right",
     r"axis\d = along\d \* unit|const dualcay_real unit = \(resting": "the norm of a unit vector is 1 but for rounding",
     r"retract_jacobians_core: by_\w+_at\[.*= by_\w+\[": "entries of the upper right block, which is 0",
     r"rotation_\w+_exponential_scalars_core: .* (c4|\w+y) =": "slopes act on dual parts, which rotations lack",
