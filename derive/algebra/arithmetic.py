@@ -36,6 +36,10 @@ class Arithmetic:
         """Return a/b, as an exact fraction for integers."""
         return Fraction(a, b) if isinstance(a, int) and isinstance(b, int) else a / b
 
+    def reciprocal(self, like: Coefficient, b: int, /) -> Coefficient:
+        """Return 1/b as a number like another one; programs hold it as a constant."""
+        return self.div(like - like + 1, b)
+
     abs = staticmethod(abs)
     sqrt = staticmethod(functions.sqrt)
     tan = staticmethod(functions.tan)

@@ -24,7 +24,6 @@ from math import factorial
 
 from ..algebra import Coefficient
 from ..algebra.arithmetic import Arithmetic
-from .real_constants import SMALL
 from .scalars import scalar
 
 LIMIT = 6
@@ -37,17 +36,20 @@ REMAINDER = (LIMIT / 4) ** TERMS / factorial(2 * TERMS + 7)
 """Bound of the truncation error: the first omitted term of an alternating series with decreasing terms."""
 
 
+UNIT = 17
+"""Factorial that is the unit of later terms, so that floats of 53 bits hold all denominators."""
+
+
 def series(zeta: Coefficient, m: Arithmetic) -> Coefficient:
-    """Return the truncated series ``7! c₇ = 1 − ζ/8·9 (1 − ζ/10·11 (1 − …))``; adjacent denominators are multiplied."""
-    above: Coefficient = 1
-    below = 1
-    for step in range(TERMS - 1, 0, -1):
-        divisor = (2 * step + 6) * (2 * step + 7)
-        if below * divisor > SMALL:
-            above, below = m.div(above, below), 1
-        below *= divisor
-        above = below - zeta * above
-    return m.div(above, below)
+    """Return the truncated series ``c₇ = 1/7! − ζ (1/9! − ζ (1/11! − …))``."""
+    unit = factorial(UNIT)
+    total = m.reciprocal(zeta, factorial(2 * TERMS + 5) // unit)
+    for k in range(2 * TERMS + 3, 6, -2):
+        if k == UNIT:
+            total, unit = m.reciprocal(zeta, unit) * (1 - zeta * total), 1
+        else:
+            total = m.reciprocal(zeta, factorial(k) // unit) - zeta * total
+    return total
 
 
 class Stumpff:
@@ -57,9 +59,9 @@ class Stumpff:
         self.zeta = zeta
         self.m = m
 
-    C7 = scalar(lambda at: at.m.div(series(at.zeta, at.m), 5040))
-    C5 = scalar(lambda at: at.m.div(1 - 120 * (at.zeta * at.C7), 120))
-    C3 = scalar(lambda at: at.m.div(1 - 6 * (at.zeta * at.C5), 6))
+    C7 = scalar(lambda at: series(at.zeta, at.m))
+    C5 = scalar(lambda at: at.m.reciprocal(at.zeta, 120) - at.zeta * at.C7)
+    C3 = scalar(lambda at: at.m.reciprocal(at.zeta, 6) - at.zeta * at.C5)
     C1 = scalar(lambda at: 1 - at.zeta * at.C3)
     CC1 = scalar(lambda at: at.C1 * at.C1)
     C0 = scalar(lambda at: at.m.sqrt(1 - at.zeta * at.CC1))

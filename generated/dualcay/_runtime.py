@@ -45,6 +45,10 @@ RAISED = (ZeroDivisionError, OverflowError, ValueError)
 class Floats:
     """Functions that kernels call, for Python floats."""
 
+    @staticmethod
+    def reciprocals(like: Any, *integers: int) -> Result:
+        return _reciprocals(integers)
+
     abs = staticmethod(abs)
     sqrt = staticmethod(math.sqrt)
     tan = staticmethod(math.tan)
@@ -57,8 +61,17 @@ class Floats:
         return a if condition else b
 
 
+@cache
+def _reciprocals(integers: tuple[int, ...]) -> Result:
+    return tuple(1 / integer for integer in integers)
+
+
 class Objects:
     """Functions that kernels call, for objects with their own ``sqrt``, ``tan`` and the like."""
+
+    @staticmethod
+    def reciprocals(like: Any, *integers: int) -> Result:
+        return tuple((like - like + 1) / integer for integer in integers)
 
     abs = staticmethod(abs)
     sqrt = staticmethod(np.sqrt)

@@ -358,7 +358,7 @@ CHART = Chart(
         _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _followed,
     ),
     kernels=SHARED,
-    programs="9e0e192474a036a9",
+    programs="ce66e9d2696d5292",
 )
 
 KERNELS = PoseKernels(CHART)

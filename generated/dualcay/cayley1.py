@@ -194,7 +194,7 @@ CHART = Chart(
         _unfolded, _reached, _coefficient, _followed,
     ),
     kernels=SHARED,
-    programs="c2f77fbe2315e68a",
+    programs="106830d9369c6288",
 )
 
 KERNELS = PoseKernels(CHART)

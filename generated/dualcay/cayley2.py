@@ -268,7 +268,7 @@ CHART = Chart(
         _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _followed,
     ),
     kernels=SHARED,
-    programs="c82b556ea91a72b9",
+    programs="78149d15ce826d3a",
 )
 
 KERNELS = PoseKernels(CHART)

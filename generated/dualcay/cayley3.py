@@ -324,7 +324,7 @@ CHART = Chart(
         _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _followed,
     ),
     kernels=SHARED,
-    programs="cb6b849414e0de05",
+    programs="224447433c683435",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -345,7 +345,7 @@ CHART = Chart(
         _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _followed,
     ),
     kernels=SHARED,
-    programs="5c458f86db0cf704",
+    programs="c77ba59371b2896c",
 )
 
 KERNELS = PoseKernels(CHART)

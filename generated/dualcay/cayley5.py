@@ -347,7 +347,7 @@ CHART = Chart(
         _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _followed,
     ),
     kernels=SHARED,
-    programs="0ad251ad67ad158d",
+    programs="08d5318a45429f80",
 )
 
 KERNELS = PoseKernels(CHART)

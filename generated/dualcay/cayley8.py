@@ -370,7 +370,7 @@ CHART = Chart(
         _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _followed,
     ),
     kernels=SHARED,
-    programs="1e3402a6ea2937dc",
+    programs="e2feccf98ddeae3e",
 )
 
 KERNELS = PoseKernels(CHART)

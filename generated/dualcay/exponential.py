@@ -40,12 +40,19 @@ ORDER = 1
 def _nearby_to_alpha(m: Any, x: Any) -> Result:
     nearby = x < 6
     z = m.where(nearby, x, x - x) / 4
-    C7 = (
-        (72 - z * ((3603600 - z * (32760 - z * (210 - z * ((93024 - z * (342 - z * ((212520 - z * (506 - z)) / 212520)))
-        / 93024)))) / 3603600)) / 72 / 5040
+    (
+        over_6, over_120, over_72681840, over_143640, over_342, over_355687428096000, over_1307674368000,
+        over_6227020800, over_39916800, over_362880, over_5040,
+    ) = (
+        m.reciprocals(z, 6, 120, 72681840, 143640, 342, 355687428096000, 1307674368000, 6227020800, 39916800, 362880,
+        5040)
     )
-    C5 = (1 - 120 * (z * C7)) / 120
-    C3 = (1 - 6 * (z * C5)) / 6
+    C7 = (
+        over_5040 - z * (over_362880 - z * (over_39916800 - z * (over_6227020800 - z * (over_1307674368000 - z
+        * (over_355687428096000 * (1 - z * (over_342 - z * (over_143640 - z * over_72681840))))))))
+    )
+    C5 = over_120 - z * C7
+    C3 = over_6 - z * C5
     C1 = 1 - z * C3
     CC1 = C1 * C1
     C0 = m.sqrt(1 - z * CC1)
@@ -239,12 +246,19 @@ def _ray(m: Any, x: Any) -> Result:
     nearby = x < 6
     zero = x - x
     z = m.where(nearby, x, zero) / 4
-    C7 = (
-        (72 - z * ((3603600 - z * (32760 - z * (210 - z * ((93024 - z * (342 - z * ((212520 - z * (506 - z)) / 212520)))
-        / 93024)))) / 3603600)) / 72 / 5040
+    (
+        over_6, over_120, over_72681840, over_143640, over_342, over_355687428096000, over_1307674368000,
+        over_6227020800, over_39916800, over_362880, over_5040,
+    ) = (
+        m.reciprocals(z, 6, 120, 72681840, 143640, 342, 355687428096000, 1307674368000, 6227020800, 39916800, 362880,
+        5040)
     )
-    C5 = (1 - 120 * (z * C7)) / 120
-    C3 = (1 - 6 * (z * C5)) / 6
+    C7 = (
+        over_5040 - z * (over_362880 - z * (over_39916800 - z * (over_6227020800 - z * (over_1307674368000 - z
+        * (over_355687428096000 * (1 - z * (over_342 - z * (over_143640 - z * over_72681840))))))))
+    )
+    C5 = over_120 - z * C7
+    C3 = over_6 - z * C5
     C1 = 1 - z * C3
     CC1 = C1 * C1
     C0 = m.sqrt(1 - z * CC1)
@@ -372,7 +386,7 @@ CHART = Chart(
         _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _followed,
     ),
     kernels=SHARED,
-    programs="f36d2186fadd3e77",
+    programs="1d0ae0002f82c2e2",
 )
 
 KERNELS = PoseKernels(CHART)

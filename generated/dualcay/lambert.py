@@ -322,7 +322,7 @@ CHART = Chart(
         _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _followed,
     ),
     kernels=SHARED,
-    programs="15ea94d7457a51dd",
+    programs="1336e67bd70795a5",
     ends=True,
 )
 

@@ -241,7 +241,7 @@ CHART = Chart(
         _unfolded, _reached, _coefficient, _followed,
     ),
     kernels=SHARED,
-    programs="98dbdb814021f786",
+    programs="b7bb46aba6773cd2",
     ends=True,
 )
 

@@ -33,7 +33,7 @@ from .cayley4 import CHART as BASE
 
 ORDER = 4
 
-CHART = multiple(BASE, __name__, 8, 1, constant=('inside',), programs="82de3c5ec6f93f86")
+CHART = multiple(BASE, __name__, 8, 1, constant=('inside',), programs="21ff8a38743c3362")
 
 KERNELS = PoseKernels(CHART)
 # the functions of this module are the methods of KERNELS

@@ -352,7 +352,7 @@ CHART = Chart(
         _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _followed,
     ),
     kernels=SHARED,
-    programs="48b8285d316b1865",
+    programs="ca619e4c14d1ad4d",
     ends=True,
 )
 

@@ -360,7 +360,7 @@ CHART = Chart(
         _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _followed,
     ),
     kernels=SHARED,
-    programs="da863173893fc6c3",
+    programs="422ead75b5948b93",
     ends=True,
 )
 

@@ -66,6 +66,10 @@ class Namespace:
         """Return one component, an array over the batch."""
         return array[index]
 
+    def reciprocals(self, like: Any, *integers: int) -> list[Any]:
+        """Return numbers that take the type of the arguments."""
+        return [1 / integer for integer in integers]
+
     def atan2(self, a: Array, b: Any) -> Array:
         return self._atan2(a, b if hasattr(b, "shape") else self.filled(a, b))
 
@@ -105,6 +109,9 @@ class Objects(Namespace):
 
     def part(self, array: Array, index: Any) -> Any:
         return array[index][()]
+
+    def reciprocals(self, like: Any, *integers: int) -> list[Any]:
+        return [(like - like + 1) / integer for integer in integers]
 
     def eps(self) -> float:
         """Return the machine epsilon of floats, because exact numbers get the same tolerance as floats."""

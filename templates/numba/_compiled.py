@@ -45,6 +45,16 @@ def _number(value, like):  # type: ignore[no-untyped-def]
     return lambda value, like: kind(value)
 
 
+def reciprocal(like: Any, b: Any) -> Any:
+    """Return 1/b as a number like another one."""
+    return (like - like + 1) / b
+
+
+@overload(reciprocal)
+def _reciprocal(like, b):  # type: ignore[no-untyped-def]
+    return lambda like, b: number(1, like) / b
+
+
 sqrt, tan, atan2, expm1, log1p = np.sqrt, np.tan, np.arctan2, np.expm1, np.log1p
 
 

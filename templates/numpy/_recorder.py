@@ -146,6 +146,10 @@ class Tape:
             differing = self._constant_xor(a, b, self.integer)
         return self.enter(np.bitwise_xor, self.enter(np.bitwise_and, differing, mask, mask=True), b, mask=truth)
 
+    def reciprocals(self, like: Any, *integers: int) -> list[Number]:
+        """Return constants of the dtype."""
+        return [self._constant(f"1/{integer}", 1 / self.dtype.type(integer)) for integer in integers]
+
     def abs(self, a: Any) -> Number:
         return self.enter(np.absolute, a)
 

@@ -7,9 +7,11 @@ import signal
 import sys
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
+from fractions import Fraction
 from types import ModuleType
 from typing import Any
 
+import mpmath
 import numpy as np
 import pytest
 from numpy.typing import NDArray
@@ -17,6 +19,7 @@ from numpy.typing import NDArray
 from dualcay import _kernel, _prepared, _program, _recorder, cayley1, cayley2, cayley3
 from dualcay._program import Program
 from dualcay._recorder import Number, record
+from dualcay._runtime import Floats, Objects, Scalars
 
 Text = Callable[..., tuple[Any, ...]]
 DTYPES = [np.float32, np.float64, np.longdouble, np.complex64, np.complex128]
@@ -72,6 +75,16 @@ def test_functions_match_numpy(name: str, ufunc: np.ufunc, count: int, dtype: ty
     arguments = [np.array([0.5, 1.5, 2.5], dtype), np.array([2.0, 0.25, 1.0], dtype)][:count]
     (found,) = recorded(lambda m, *a: (getattr(m, name)(*a),), dtype, *arguments)
     np.testing.assert_array_equal(found, ufunc(*arguments))
+
+
+@pytest.mark.parametrize("dtype", DTYPES)
+def test_reciprocals_are_those_of_the_dtype(dtype: type) -> None:
+    z = np.array([0.5, 1.5, 2.5], dtype)
+    (found,) = recorded(lambda m, z: (m.reciprocals(z, 3, 49)[1] * z,), dtype, z)
+    np.testing.assert_array_equal(found, 1 / dtype(49) * z)
+    for functions, of in ((Floats, float), (Objects, Fraction), (Objects, mpmath.mpf), (Scalars, np.longdouble)):
+        (value,) = functions.reciprocals(of(2), 49)
+        assert (value, type(value)) == (1 / of(49), of)
 
 
 @pytest.mark.parametrize("dtype", REAL)

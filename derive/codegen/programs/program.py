@@ -8,7 +8,7 @@ from fractions import Fraction
 
 Constant = int | Fraction
 Operand = str | int | Fraction  # name of an input or step, or an exact constant
-FUNCTIONS = ("abs", "sqrt", "tan", "atan2", "expm1", "log1p")
+FUNCTIONS = ("reciprocal", "abs", "sqrt", "tan", "atan2", "expm1", "log1p")
 
 
 @dataclass(frozen=True, slots=True)

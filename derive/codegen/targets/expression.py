@@ -19,6 +19,7 @@ WIDTH = 120
 ATOM = 9
 NEGATION = 6
 SELECTION = 1
+RECIPROCAL = "reciprocal"
 BINARY = r"(?:[-+*/&|<?:]|==)"  # pattern of infix operators, before which lines break
 Text = tuple[str, int]  # source text and the binding strength of its outermost operator
 Texts = list[str | list[str]]
@@ -53,9 +54,14 @@ class Dialect:
     largest: float = float("inf")  # magnitude of constants
     literal: Callable[[int], str] = str  # text of a constant
     passed: Callable[[str], str] = str  # form of an argument or a selected value
+    together: bool = False  # reciprocals of integers are made in one call
 
     def expression(self, step: Assignment, inlined: Mapping[str, Text]) -> Text:
         """Return the right-hand side of a step, with inlined operands written out."""
+        if step.op == RECIPROCAL:  # of an integer of any size
+            like, integer = step.args
+            literal = self.literal(int(integer))
+            return (f"over_{literal}" if self.together else f"{self.calls[RECIPROCAL]}({like}, {literal})"), ATOM
         args = [self.operand(arg, inlined) for arg in step.args]
         if step.op in self.calls:
             return f"{self.calls[step.op]}({', '.join(text for text, _ in args)})", ATOM
@@ -95,10 +101,16 @@ class Dialect:
                 return self.passed(text(group))
             return lists.whole.get(group) or [self.passed(text(operand)) for operand in group]
 
+        reciprocals = [step for step in program.steps if self.together and step.op == RECIPROCAL]
         for statement in program.statements:
             if isinstance(statement, Call):
                 assignments.append((statement, list(map(passed, statement.groups))))
                 continue
+            if reciprocals and statement is reciprocals[0]:
+                names = ", ".join(self.expression(step, {})[0] for step in reciprocals)
+                integers = ", ".join(str(step.args[1]) for step in reciprocals)
+                call = f"{self.calls[RECIPROCAL]}s({statement.args[0]}, {integers})"
+                assignments.append((replace(statement, name=names), [call]))
             found = self.expression(statement, inlined)
             if statement.inline:
                 inlined[statement.name] = found

@@ -20,12 +20,13 @@ OPERATORS = {
 }
 
 
-def python(prefix: str, literal: Callable[[int], str] = str) -> Dialect:
+def python(prefix: str, literal: Callable[[int], str] = str, together: bool = False) -> Dialect:
     """Return the dialect of Python with this prefix of functions and this notation of constants."""
-    return Dialect(OPERATORS, {name: prefix + name for name in (*FUNCTIONS, "where")}, literal=literal)
+    calls = {name: prefix + name for name in (*FUNCTIONS, "where")}
+    return Dialect(OPERATORS, calls, literal=literal, together=together)
 
 
-PLAIN = python("m.")  # dialect with functions of the number type in ``m`` and unchanged constants
+PLAIN = python("m.", together=True)  # dialect with functions of the number type in ``m`` and unchanged constants
 
 
 def ask_namespace(call: Call, arguments: str) -> str:

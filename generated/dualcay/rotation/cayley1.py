@@ -22,7 +22,7 @@ from ._interface import RotationKernels
 
 ORDER = 1
 
-CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="0c626ebe2b47244d")
+CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="1f0830920f918c8a")
 
 KERNELS = RotationKernels(CHART)
 dcay = KERNELS.tangent

@@ -22,7 +22,7 @@ from ._interface import RotationKernels
 
 ORDER = 8
 
-CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="3c7f088446b164ed")
+CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="d2cff3ffa0bb84d7")
 
 KERNELS = RotationKernels(CHART)
 dcay = KERNELS.tangent

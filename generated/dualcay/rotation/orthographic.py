@@ -22,7 +22,7 @@ from ._interface import RotationKernels
 
 ORDER = 1
 
-CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="0be2ca7fc4934378")
+CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="abf1d7aa3bd924da")
 
 KERNELS = RotationKernels(CHART)
 # the functions of this module are the methods of KERNELS

@@ -22,7 +22,7 @@ from ._interface import RotationKernels
 
 ORDER = 4
 
-CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="100ab626c4e345fa")
+CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="2ed5488d0bfa5c5e")
 
 KERNELS = RotationKernels(CHART)
 # the functions of this module are the methods of KERNELS

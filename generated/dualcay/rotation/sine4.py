@@ -22,7 +22,7 @@ from ._interface import RotationKernels
 
 ORDER = 4
 
-CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="a44f8dcec5ebda43")
+CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="7e2faabb24bb6267")
 
 KERNELS = RotationKernels(CHART)
 # the functions of this module are the methods of KERNELS
