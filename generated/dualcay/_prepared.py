@@ -30,18 +30,21 @@ KEPT_MAX = 32
 
 
 class Prepared:
-    """Recorded program with memory for a number of poses, the ``cells``.
+    """Recorded program with memory for a batch.
 
     ``parts`` are the shapes of the arguments, ``table`` is the number of table constants, ``shape`` that of the result.
     """
 
-    def __init__(self, program: Program, parts: Sequence[Shape], table: int, shape: Shape, cells: int) -> None:
+    def __init__(
+        self, program: Program, parts: Sequence[Shape], table: int, shape: Shape, batch: Shape, axis: int
+    ) -> None:
+        cells = prod(batch)
         sizes = [*map(prod, (*parts, shape)), program.scratch, program.masks]
         memory = np.split(np.empty((sum(sizes), cells), program.dtype), np.cumsum(sizes)[:-1])
         *given, result, scratch, masks = memory
-        self.arguments = [block.reshape(*part, cells) for block, part in zip(given, parts, strict=True)]
+        self.arguments = [_laid_out(block, part, batch, axis) for block, part in zip(given, parts, strict=True)]
         self.table = [np.empty((), program.dtype) for _ in range(table)]
-        self.result = result.reshape(*shape, cells)
+        self.result = _laid_out(result, shape, batch, axis)
         rows = [row for block in given for row in block]
         rows += [*self.table, *program.constants, *result, *scratch, *program.mask_rows(masks)]
         raw = np.zeros(cells, bits(program.dtype) or np.int64)
@@ -52,13 +55,20 @@ class Prepared:
         self.calls = [one for one in calls if one not in copies]
 
     def run(self, arguments: Sequence[Array], table: Sequence[Array], result: Array) -> None:
-        """Run on arguments of shapes ``part + batch``; the result has the shape ``shape + batch``."""
+        """Run on arguments that broadcast to the batch; they may share memory with the result."""
         for staged, array in zip(self.arguments, arguments, strict=True):
-            np.copyto(staged.reshape(array.shape), array)
+            np.copyto(staged, array)
         for number, value in zip(self.table, table, strict=True):
             number[...] = value
-        deque(map(call, self.calls), maxlen=0)
-        np.copyto(result, self.result.reshape(result.shape), casting="same_kind")
+        for one in self.calls:
+            one()
+        np.copyto(result, self.result, casting="same_kind")
+
+
+def _laid_out(rows: Array, part: Shape, batch: Shape, axis: int) -> Array:
+    """Return a view of rows, one for each component, in the layout of an argument or a result."""
+    array = rows.reshape(part + batch)
+    return array if axis == 0 else array.transpose(*range(len(part), array.ndim), *range(len(part)))
 
 
 def _calls(function: Function, operands: tuple[Array, ...], raw: Array) -> list[partial[Any]]:
@@ -69,7 +79,7 @@ def _calls(function: Function, operands: tuple[Array, ...], raw: Array) -> list[
     return [partial(COMPARISONS[function], *given, truth_bytes(raw)), partial(np.negative, raw, mask)]
 
 
-_kept: dict[tuple[Program, int], Prepared] = {}
+_kept: dict[tuple[Program, Shape, int], Prepared] = {}
 
 
 def run_prepared(
@@ -79,12 +89,14 @@ def run_prepared(
     arguments: Sequence[Array],
     table: Sequence[Array],
     result: Array,
+    batch: Shape,
+    axis: int,
 ) -> None:
     """Run a program on a batch of at most ``PREPARED_MAX`` poses; concurrent and nested calls get their own memory."""
-    key = program, prod(result.shape[len(shape) :])
+    key = program, batch, axis
     prepared = _kept.pop(key, None)
     if prepared is None:
-        prepared = Prepared(program, parts, len(table), shape, key[1])
+        prepared = Prepared(program, parts, len(table), shape, batch, axis)
     prepared.run(arguments, table, result)
     _kept[key] = prepared
     if len(_kept) > KEPT_MAX:

@@ -24,7 +24,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ._chart import Chart
-from ._kernel import Array, Kernel, Result, Shape, run
+from ._kernel import Array, Kernel, Result, Shape, run, staged
 from ._native import Compiled
 
 POINTWISE_MAX = 12
@@ -121,7 +121,8 @@ def call(
         native = None
     found = None if native else _one_by_one(kernel, chart, arrays, batch, axis, dtype, table)
     if found is None:
-        overlaps = out is not None and any(np.may_share_memory(out, array) for array in arrays)
+        copied = native is None and staged(batch)
+        overlaps = out is not None and not copied and any(np.may_share_memory(out, array) for array in arrays)
         found = np.empty(full, dtype) if out is None or overlaps else out
         if native:
             _compiled(native, kernel, arrays, found, axis, table)
@@ -274,7 +275,7 @@ def _record_and_run(
 ) -> None:
     """Run the recorded program of a kernel; a single pose is a batch of one."""
     kernel = chart.kernels[name]
-    known = tuple(FACTORS[text] for text in table) if FACTORS.keys() >= set(table) else ()
+    known = tuple(FACTORS[text] for text in table) if table and FACTORS.keys() >= set(table) else ()
     extra = [] if known else [np.array(value, dtype) for value in constants(table, dtype)]
     if result.ndim == len(kernel.shape):
         one = (..., np.newaxis) if axis == 0 else (np.newaxis, ...)
@@ -330,9 +331,11 @@ def common_type(values: Sequence[ArrayLike], arrays: Sequence[Array]) -> np.dtyp
 
 def batch_shape(arguments: Sequence[tuple[str, Shape]], arrays: Sequence[Array], axis: int) -> Shape:
     """Return the broadcast shape of the batches."""
-    parts = [len(part) for _, part in arguments]
-    shapes = [a.shape[k:] if axis == 0 else a.shape[: a.ndim - k] for a, k in zip(arrays, parts, strict=True)]
-    if len(set(shapes)) == 1:
+    shapes = [
+        array.shape[len(part) :] if axis == 0 else array.shape[: array.ndim - len(part)]
+        for (_, part), array in zip(arguments, arrays, strict=True)
+    ]
+    if shapes.count(shapes[0]) == len(shapes):
         return shapes[0]
     try:
         return np.broadcast_shapes(*shapes)

@@ -67,25 +67,31 @@ SCRATCH = Scratch()
 
 
 def run(kernel: Kernel, program: Program, arguments: Rows, table: Rows, result: Array, axis: int) -> None:
-    """Run a recorded program on arguments of any batch shapes; the result must share no memory with them.
+    """Run a recorded program on arguments of any batch shapes.
 
-    The program computes in the dtype of its constants. ``table`` holds the numbers of its table argument, if any.
+    The program computes in the dtype of its constants. ``table`` holds the numbers of its table argument, if any. The
+    result must share no memory with the arguments, unless the batch is `staged`.
     """
     batch = _batch_of(result, kernel.shape, axis)
-    rows = [_rows(a, part, axis, batch) for a, (_, part) in zip(arguments, kernel.arguments, strict=True)]
-    target = _rows(result, kernel.shape, axis, batch)
-    cells = math.prod(batch)
-    if cells <= min(PREPARED_MAX, BLOCK):
-        parts = [part for _, part in kernel.arguments]
-        run_prepared(program, parts, kernel.shape, rows, table, target)
+    parts = [part for _, part in kernel.arguments]
+    if staged(batch):
+        if axis == 0:
+            arguments = [_extended(array, part, batch) for array, part in zip(arguments, parts)]
+        run_prepared(program, parts, kernel.shape, arguments, table, result, batch, axis)
         return
-    loop = _Loop(kernel, program, rows, table, target)
-    memory = SCRATCH.take(loop.bytes(min(BLOCK, cells)))
+    rows = [_rows(a, part, axis, batch) for a, part in zip(arguments, parts, strict=True)]
+    loop = _Loop(kernel, program, rows, table, _rows(result, kernel.shape, axis, batch))
+    memory = SCRATCH.take(loop.bytes(min(BLOCK, math.prod(batch))))
     try:
         for index in blocks(batch, BLOCK):
             loop.run(index, memory)
     finally:
         SCRATCH.give_back(memory)
+
+
+def staged(batch: Shape) -> bool:
+    """Tell whether a batch runs in memory of its own, to which its arguments are copied first."""
+    return math.prod(batch) <= min(PREPARED_MAX, BLOCK)
 
 
 class _Loop:
@@ -175,10 +181,13 @@ def _rows(array: Array, part: Shape, axis: int, batch: Shape) -> Array:
     if axis == -1:
         order = (*range(array.ndim - len(part), array.ndim), *range(array.ndim - len(part)))
         array = array.transpose(order)
-    if array.shape == part + batch:
-        return array
+    return array if array.shape == part + batch else np.broadcast_to(_extended(array, part, batch), part + batch)
+
+
+def _extended(array: Array, part: Shape, batch: Shape) -> Array:
+    """Return an array of shape ``part`` and fewer axes with axes of length 1 for all those of the batch."""
     missing = len(part) + len(batch) - array.ndim
-    return np.broadcast_to(array[(slice(None),) * len(part) + (np.newaxis,) * missing], part + batch)
+    return array[(slice(None),) * len(part) + (np.newaxis,) * missing] if missing else array
 
 
 def _unit_stride(rows: Array, dtype: np.dtype[Any], broadcast: bool = False) -> bool:

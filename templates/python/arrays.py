@@ -20,9 +20,11 @@ def common_type(values: Sequence[ArrayLike], arrays: Sequence[Array]) -> np.dtyp
 
 def batch_shape(arguments: Sequence[tuple[str, Shape]], arrays: Sequence[Array], axis: int) -> Shape:
     """Return the broadcast shape of the batches."""
-    parts = [len(part) for _, part in arguments]
-    shapes = [a.shape[k:] if axis == 0 else a.shape[: a.ndim - k] for a, k in zip(arrays, parts, strict=True)]
-    if len(set(shapes)) == 1:
+    shapes = [
+        array.shape[len(part) :] if axis == 0 else array.shape[: array.ndim - len(part)]
+        for (_, part), array in zip(arguments, arrays, strict=True)
+    ]
+    if shapes.count(shapes[0]) == len(shapes):
         return shapes[0]
     try:
         return np.broadcast_shapes(*shapes)
