@@ -4,13 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Callable, Container, Sequence
 from fractions import Fraction
-from operator import mul, truediv
 from typing import Any, TypeAlias
 
 from ._chart import Chart
 from ._derived import POWERS
-from ._kernel import Result
-from ._program import call
 
 Function: TypeAlias = Callable[..., Any]
 
@@ -31,65 +28,35 @@ def multiple(
 def _scaled(
     program: Function, powers: tuple[Sequence[int], Sequence[int]], scale: Fraction, constant: bool
 ) -> Function:
-    """Return a scalar program whose arguments and results are divided by powers of K."""
+    """Return a scalar program whose arguments and results are divided by powers of K.
+
+    It is compiled from text, for the shortest time of a single pose.
+    """
     before, after = powers
     if not any((*before, *after)):
         return program
-    given, found = _divisions(before, scale), _divisions(after, scale)
-    if {*given[0], *found[0]} <= {truediv, _kept} and not constant:
-        return _divided_alike(program, given[1], found[1])
-    pairs = list(zip(found[0], found[1], strict=True))
-
-    def run(m: Any, *arguments: Any) -> Result:
-        results = program(m, *map(call, given[0], arguments, given[1]), *arguments[len(before) :])
-        if not constant:
-            return tuple([operation(r, by) for r, (operation, by) in zip(results, pairs, strict=True)])
-        # integers take the type of the arguments, since 1/2 would be a float; 0 stays
-        zero = arguments[0] - arguments[0]
-        return tuple([
-            operation(r, by) if type(r) is not int else r and operation(r + zero, by)
-            for r, (operation, by) in zip(results, pairs, strict=True)
-        ])
-
+    given = ", ".join(_divided(f"a{place}", scale**power) for place, power in enumerate(before))
+    names = ", ".join(f"r{place}" for place in range(len(after)))
+    found = ", ".join(_result(f"r{place}", scale**power, constant) for place, power in enumerate(after))
+    taken = ", ".join(f"a{place}" for place in range(len(before)))
+    zero = "    zero = a0 - a0\n" if constant else ""  # integers take the type of the arguments
+    text = f"def run(m, {taken}, *rest):\n    {names}, = program(m, {given}, *rest)\n{zero}    return {found},\n"
+    made: dict[str, Any] = {"program": program}
+    exec(text, made)
+    run: Function = made["run"]
     return run
 
 
-def _divided_alike(program: Function, given: Sequence[int], found: Sequence[int]) -> Function:
-    """Return a scalar program whose arguments and results are all divided, in the shortest time for a single pose."""
-
-    def run(m: Any, *arguments: Any) -> Result:
-        return tuple(map(truediv, program(m, *map(truediv, arguments, given)), found))
-
-    def of_squares(m: Any, first: Any, second: Any, third: Any) -> Result:
-        return tuple(map(truediv, program(m, first / most, second / most, third / most), found))
-
-    most = given[0]
-    return of_squares if [*given] == [most] * 3 else run
+def _result(name: str, divisor: Fraction, constant: bool) -> str:
+    """Return the text of a scaled result; an integer becomes a number, since 1/2 would be a float, but 0 stays."""
+    scaled = _divided(name, divisor)
+    if not constant or scaled == name:
+        return scaled
+    number = _divided(f"({name} + zero)", divisor)
+    return f"{scaled} if type({name}) is not int else {name} and {number}"
 
 
-def _divisions(powers: Sequence[int], scale: Fraction) -> tuple[list[Function], list[Any]]:
-    """Return an operation and its second operand for each power of K; integers if one operation is enough."""
-    operations: list[Function] = []
-    operands: list[Any] = []
-    for power in powers:
-        divisor = scale**power
-        if divisor.denominator == 1:
-            operations.append(truediv if divisor != 1 else _kept)
-            operands.append(divisor.numerator)
-        elif divisor.numerator == 1:
-            operations.append(mul)
-            operands.append(divisor.denominator)
-        else:
-            operations.append(_divided)
-            operands.append(divisor)
-    return operations, operands
-
-
-def _divided(value: Any, divisor: Fraction) -> Any:
-    """Return a value divided by a fraction, by integer multiplication and division."""
-    return value * divisor.denominator / divisor.numerator
-
-
-def _kept(value: Any, _: int) -> Any:
-    """Return a value unchanged."""
-    return value
+def _divided(name: str, divisor: Fraction) -> str:
+    """Return the text of a value divided by a fraction, by integer multiplication and division."""
+    times = f" * {divisor.denominator}" if divisor.denominator > 1 else ""
+    return f"{name}{times} / {divisor.numerator}" if divisor.numerator > 1 else f"{name}{times}"

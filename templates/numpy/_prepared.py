@@ -5,7 +5,6 @@ For small batches most of the time of a recorded program goes into views of rows
 
 from __future__ import annotations
 
-from collections import deque
 from collections.abc import Sequence
 from functools import partial
 from math import prod
@@ -14,7 +13,7 @@ from typing import Any, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from ._program import COMPARISONS, Function, Program, bits, call, truth_bytes
+from ._program import COMPARISONS, Function, Program, bits, truth_bytes
 
 Array: TypeAlias = NDArray[Any]
 Shape: TypeAlias = tuple[int, ...]
@@ -39,24 +38,24 @@ class Prepared:
         sizes = [*map(prod, (*parts, shape)), program.scratch, program.masks]
         memory = np.split(np.empty((sum(sizes), cells), program.dtype), np.cumsum(sizes)[:-1])
         *given, result, scratch, masks = memory
-        self.arguments = [_laid_out(block, part, batch, axis) for block, part in zip(given, parts, strict=True)]
-        self.table = [np.empty((), program.dtype) for _ in range(table)]
+        numbers = [np.empty((), program.dtype) for _ in range(table)]
+        blocks = zip(given, parts, strict=True)
+        self.given = [*(_laid_out(block, part, batch, axis) for block, part in blocks), *numbers]
         self.result = _laid_out(result, shape, batch, axis)
         rows = [row for block in given for row in block]
-        rows += [*self.table, *program.constants, *result, *scratch, *program.mask_rows(masks)]
+        rows += [*numbers, *program.constants, *result, *scratch, *program.mask_rows(masks)]
         raw = np.zeros(cells, bits(program.dtype) or np.int64)
         calls = [one for function, operands in program.calls(rows) for one in _calls(function, operands, raw)]
         constant = {id(number) for number in program.constants}
         copies = [one for one in calls if one.func is np.positive and id(one.args[0]) in constant]
-        deque(map(call, copies), maxlen=0)  # constant results stay in their rows
+        for one in copies:  # constant results stay in their rows
+            one()
         self.calls = [one for one in calls if one not in copies]
 
-    def run(self, arguments: Sequence[Array], table: Sequence[Array], result: Array) -> None:
-        """Run on arguments that broadcast to the batch; they may share memory with the result."""
-        for staged, array in zip(self.arguments, arguments, strict=True):
+    def run(self, given: Sequence[Array], result: Array) -> None:
+        """Run on arguments that broadcast to the batch, then the table; they may share memory with the result."""
+        for staged, array in zip(self.given, given):
             np.copyto(staged, array)
-        for number, value in zip(self.table, table, strict=True):
-            number[...] = value
         for one in self.calls:
             one()
         np.copyto(result, self.result, casting="same_kind")
@@ -94,7 +93,7 @@ def run_prepared(
     prepared = _kept.pop(key, None)
     if prepared is None:
         prepared = Prepared(program, parts, len(table), shape, batch, axis)
-    prepared.run(arguments, table, result)
+    prepared.run([*arguments, *table], result)
     _kept[key] = prepared
     if len(_kept) > KEPT_MAX:
         _kept.pop(next(iter(_kept)), None)
