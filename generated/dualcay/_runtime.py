@@ -27,7 +27,7 @@ from ._chart import Chart
 from ._kernel import Array, Kernel, Result, Shape, run, staged
 from ._native import Compiled
 
-POINTWISE_MAX = 12
+POINTWISE_MAX = 10
 """Largest batch that runs pose by pose; for larger batches NumPy is faster than Python floats."""
 
 FLOAT = np.dtype(np.float64)
