@@ -79,6 +79,18 @@ class Program:
         return tuple(statement for statement in self.statements if isinstance(statement, Call))
 
     @property
+    def conditions(self) -> dict[Operand, frozenset[tuple[Operand, bool]]]:
+        """Return for each operand the conditions, with a truth value, outside which no result depends on it."""
+        found: dict[Operand, frozenset[tuple[Operand, bool]]] = dict.fromkeys(self.outputs, frozenset())
+        for statement in reversed(self.statements):
+            of = found.get(statement.name, frozenset()) if isinstance(statement, Assignment) else frozenset()
+            chosen = isinstance(statement, Assignment) and statement.op == "where"
+            for place, arg in enumerate(statement.args):
+                needed = of | {(statement.args[0], place == 1)} if chosen and place else of
+                found[arg] = found.get(arg, needed) & needed
+        return found
+
+    @property
     def operations(self) -> Counter[str]:
         """Count each operation, without operations inside calls."""
         return Counter(step.op for step in self.steps)

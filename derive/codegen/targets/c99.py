@@ -19,6 +19,7 @@ REAL = "dualcay_real"
 TABLE = "table"
 _INDENT = "    "
 _CONDITIONS = ("lt", "eq", "and", "or")
+_SLOW = ("tan", "atan2", "expm1", "log1p")  # functions that are called only where a result depends on them
 _EXACT_IN_FLOAT = 2.0**24
 
 OPERATORS = {
@@ -131,10 +132,16 @@ def _statements(
     arrays = {argument: f"{argument}_at, {argument}_by" for argument in given}
     arrays |= {call.result: f"{call.result}, 1" for call in program.calls if call.result}
     statements, outputs = C99.statements(program, lists)
+    conditions, known = program.conditions, set[str]()
     for statement, texts in statements:
         if isinstance(statement, Assignment):
-            kind = "int" if statement.op in _CONDITIONS else REAL
-            yield from _wrap(f"const {kind} {statement.name}", str(texts[0]))
+            kind, text = "int" if statement.op in _CONDITIONS else REAL, str(texts[0])
+            needed = sorted((c, side) for c, side in conditions[statement.name] if c in known)
+            if statement.op in _SLOW and needed:
+                (condition, side), none = needed[0], real("0")
+                text = f"{condition} ? {text} : {none}" if side else f"{condition} ? {none} : {text}"
+            known.add(statement.name)
+            yield from _wrap(f"const {kind} {statement.name}", text)
         elif not statement.result:
             yield from _call_scalar(statement, ", ".join(map(str, texts)))
         elif statement is lists.returned:

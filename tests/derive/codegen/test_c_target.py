@@ -64,6 +64,18 @@ def test_choices_are_ternaries_and_conditions_are_bracketed():
     assert "(a < b) | ((a == 0) & (b < 0)) ? a : -b" in text
 
 
+def test_slow_functions_run_only_where_a_result_depends_on_them():
+    def record(t, a, b):
+        near = t.name("near", t.less(a, 1))
+        one, both, other = (t.name(name, t.tan(a + k)) for k, name in enumerate(("one", "both", "other")))
+        return t.where(near, one * one, other * other * both) + both
+
+    text = printed(record)
+    assert "one = near ? dualcay_tan(a) : (dualcay_real)0;" in text
+    assert "both = dualcay_tan(a + 1);" in text
+    assert "other = near ? (dualcay_real)0 : dualcay_tan(a + 2);" in text
+
+
 def test_named_conditions_are_int():
     text = printed(lambda t, a, b: t.where(t.name("small", t.less(a, b)), a, b) + t.where(t.less(a, b), b, a))
     assert "const int small = a < b;" in text
