@@ -85,6 +85,11 @@ def _is(operand: Any, integer: int) -> bool:
     return type(operand) is int and operand == integer
 
 
+def _entered(function: Function) -> Function:
+    """Return the method of a tape that enters a function of NumPy."""
+    return lambda tape, *operands: tape.enter(function, *operands)
+
+
 class Tape:
     """List of numbered entries: arguments, constants, operations. Methods are the functions that kernels call."""
 
@@ -150,23 +155,8 @@ class Tape:
         """Return constants of the dtype."""
         return [self._constant(f"1/{integer}", 1 / self.dtype.type(integer)) for integer in integers]
 
-    def abs(self, a: Any) -> Number:
-        return self.enter(np.absolute, a)
-
-    def sqrt(self, a: Any) -> Number:
-        return self.enter(np.sqrt, a)
-
-    def tan(self, a: Any) -> Number:
-        return self.enter(np.tan, a)
-
-    def atan2(self, a: Any, b: Any) -> Number:
-        return self.enter(np.arctan2, a, b)
-
-    def expm1(self, a: Any) -> Number:
-        return self.enter(np.expm1, a)
-
-    def log1p(self, a: Any) -> Number:
-        return self.enter(np.log1p, a)
+    abs, sqrt, tan = map(_entered, (np.absolute, np.sqrt, np.tan))
+    atan2, expm1, log1p = map(_entered, (np.arctan2, np.expm1, np.log1p))
 
     def index(self, operand: Any) -> int:
         """Return the entry number of a recorded number or a constant."""
