@@ -10,10 +10,12 @@ import os
 import signal
 import tempfile
 import threading
+from collections import deque
 from collections.abc import Callable, Iterable, Iterator
-from concurrent.futures import ProcessPoolExecutor
+from concurrent.futures import Executor, Future, ProcessPoolExecutor, ThreadPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
+from functools import partial
 from multiprocessing.connection import Connection
 from typing import TypeVar
 
@@ -30,17 +32,47 @@ def cores() -> int:
     return min(found or 1, PROCESSES_MAX)
 
 
-def each(function: Callable[[Item], Result], items: Iterable[Item], processes: int) -> Iterator[Result]:
-    """Yield the results for items in order; other processes begin with each item as soon as it is available.
+@contextmanager
+def mapping(
+    function: Callable[[Item], Result], processes: int
+) -> Iterator[Callable[[Iterable[Item]], Iterator[Result]]]:
+    """Provide a map of a function over items, in order, whose calls run in this and in further processes.
 
-    With one process, all runs in the main process, item by item. If several calls fail, the first error is raised.
+    The other processes load the function at once, and begin with each item as soon as it is available. When all are,
+    this process takes part, from the last item backwards. With one process, all runs here, item by item. If several
+    calls fail, the first error is raised.
     """
     if processes == 1:
-        yield from map(function, items)
+        yield partial(map, function)
         return
-    with workers(processes) as pool:
-        for begun in [pool.submit(function, item) for item in items]:
-            yield begun.result()
+    with ThreadPoolExecutor(processes - 1) as threads, workers(processes - 1) as pool:
+        for _ in range(processes - 1):
+            pool.submit(callable, function)
+        yield partial(_shared, function, pool, threads)
+
+
+def _shared(
+    function: Callable[[Item], Result], pool: Executor, threads: Executor, items: Iterable[Item]
+) -> Iterator[Result]:
+    """Yield the results for items in order; each thread waits for one worker, as a pool reserves calls in advance."""
+    waiting, found = deque[tuple[Future[Result], Item]](), deque[Future[Result]]()
+
+    def run(take: Callable[[], tuple[Future[Result], Item]], call: Callable[[Item], Result]) -> None:
+        with suppress(IndexError):  # no item is left
+            future, item = take()
+            try:
+                future.set_result(call(item))
+            except Exception as error:
+                future.set_exception(error)
+
+    for item in items:
+        found.append(Future())
+        waiting.append((found[-1], item))
+        threads.submit(run, waiting.popleft, lambda item: pool.submit(function, item).result())
+    while found:
+        run(waiting.pop, function)
+        while found and (found[0].done() or not waiting):
+            yield found.popleft().result()
 
 
 @contextmanager

@@ -12,9 +12,6 @@ from ..output.tables import Grid, columns, figures
 from ..workers import cores
 from . import display, options
 
-SERIAL_MAX = 3
-"""Largest number of charts for which worker processes save no time."""
-
 
 def generate(
     orders: tuple[int, ...], families: tuple[str, ...], phi: str | None, name: str | None, target: str,
@@ -35,8 +32,7 @@ def generate(
             if found := publish.check_charts(folder, charts, target, display.progress, max_n):
                 display.differences(found, options.without_check())
             raise click.exceptions.Exit(1 if found else 0)
-        processes = cores() if len(charts) > SERIAL_MAX else 1
-        package = publish.generate_charts(charts, target, folder, force, display.progress, processes)
+        package = publish.generate_charts(charts, target, folder, force, display.progress, cores())
     click.echo(summary(package, folder).text(columns()), nl=False)
     if not_compiled := [module.name for module in package.modules if module.counts.tested is None]:
         click.echo(f"no C compiler found (set CC), so validated as text only: {', '.join(not_compiled)}", err=True)

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import gc
 import tempfile
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from itertools import tee
@@ -19,7 +19,7 @@ from ..maps.chart import Chart
 from ..output import files
 from ..output.progress import Progress, Step, silent
 from ..proof import prove
-from ..workers import each
+from ..workers import mapping
 from .lowered import Lowered, lower
 from .package import Counts, Facts, Module, Package, module_name, module_texts, shared_texts
 from .targets import Target
@@ -28,7 +28,10 @@ GEOMETRY = Cayley(3)
 """Chart that checks the shared geometry if no requested chart fits: the lowest order whose scalars all differ."""
 
 GEOMETRY_ORDERS = range(GEOMETRY.order, 9)  # exact numbers are slow in higher orders
-GC_THRESHOLD = 20_000  # number of allocations between two garbage collections while charts are built
+CHECKS = ("validate", "replay", "test")
+"""Methods of a target that execute a module; the numbers that they return are the `Counts`."""
+
+GC_THRESHOLD = 200_000  # number of allocations between two garbage collections while charts are built
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,17 +53,22 @@ Record = TypeVar("Record", Chart, Lowered, Module, Written)
 
 
 def build(charts: Sequence[Chart], target: Target, progress: Progress = silent, processes: int = 1) -> Package:
-    """Prove, lower, print, write and check charts, without publishing; ``processes`` is the number of workers.
+    """Prove, lower, print, write and check charts, without publishing, in a number of ``processes``.
 
-    Charts pass through the stages one by one: a chart is proved while workers check the charts before it. Raise
+    Charts pass through the stages one by one: a chart is proved while other processes check the charts before it. Raise
     `ProofFailed` or `ValidationFailed` if any chart fails.
     """
     if processes < 1:
         raise ValueError(f"processes must be an integer >= 1, got {processes}")
-    geometry, shared = geometry_chart(charts), shared_texts(target)
+    geometry = geometry_chart(charts)
     built = charts if geometry in charts else [geometry, *charts]
-    with relaxed_gc(), tempfile.TemporaryDirectory() as name, progress(4 * len(built)) as report:
-        folder = Path(name)
+    with (
+        relaxed_gc(),
+        tempfile.TemporaryDirectory() as name,
+        mapping(check, processes) as results,
+        progress(4 * len(built)) as report,
+    ):
+        folder, shared = Path(name), shared_texts(target)
         files.write(folder, shared)
         proved = map(prove, announced(built, "proving", report))
         lowered = map(lower, proved)
@@ -68,10 +76,12 @@ def build(charts: Sequence[Chart], target: Target, progress: Progress = silent, 
             print_module(chart, target, chart.chart in charts) for chart in announced(lowered, "printing", report)
         )
         written = (write(module, target, folder, geometry, charts) for module in printed)
-        checked = each(check, announced(written, "checking", report), processes)
-        counted = (replace(module, counts=counts) for module, counts in zip(modules, checked))
-        found = tuple(announced(counted, "checked", report))
-    return Package(shared, tuple(module for module in found if module.proved.formulas in charts))
+        found = results((name, module) for module in announced(written, "checking", report) for name in CHECKS)
+        counted = (
+            replace(module, counts=Counts(next(found) or 0, next(found) or 0, next(found))) for module in modules
+        )
+        checked = tuple(announced(counted, "checked", report))
+    return Package(shared, tuple(module for module in checked if module.proved.formulas in charts))
 
 
 def print_package(
@@ -95,13 +105,14 @@ def write(module: Module, target: Target, folder: Path, geometry: Chart, asked: 
     return Written(module.name, chart, target, folder, chart == geometry, chart in asked)
 
 
-def check(written: Written) -> Counts:
-    """Execute a module on disk and compare it with the formulas of its chart."""
-    target, given = written.target, (written.folder, written.chart, written.geometry)
+def check(asked: tuple[str, Written]) -> int | None:
+    """Execute a module on disk in the way of a method of its target; return the number of calls that agree."""
+    name, written = asked
+    if name == "test":
+        return written.target.test(written.folder, written.chart) if written.tested else 0
+    method: Callable[[Path, Chart, bool], int] = getattr(written.target, name)
     with relaxed_gc():
-        validated, replayed = target.validate(*given), target.replay(*given)
-        tested = target.test(written.folder, written.chart) if written.tested else 0
-        return Counts(validated, replayed, tested)
+        return method(written.folder, written.chart, written.geometry)
 
 
 def announced(records: Iterable[Record], stage: str, report: Step) -> Iterator[Record]:

@@ -51,8 +51,8 @@ def generate(
         Called with a line of text before each step. Without one, a terminal or a notebook shows a progress bar after
         two seconds.
     processes : int
-        Number of worker processes that check printed charts. Workers are spawned: a script that asks for more than
-        one must call `generate` under ``if __name__ == "__main__":``.
+        Number of processes that check printed charts, this one included. Others are spawned: a script that asks for
+        more than one must call `generate` under ``if __name__ == "__main__":``.
 
     Returns
     -------

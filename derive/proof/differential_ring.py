@@ -16,6 +16,7 @@ even where a factor vanishes, and for dual x and v.
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from functools import cache
 from typing import Any
 
 import sympy
@@ -25,6 +26,8 @@ from ..algebra.exact import RationalFunctions
 from ..algebra.polynomial_backend import Polynomial
 from .identity import Multiplier
 from .notation import n
+
+_text = cache(str)  # sorting by text prints few expressions many times
 
 
 class DifferentialRing(RationalFunctions):
@@ -66,7 +69,7 @@ class DifferentialRing(RationalFunctions):
         factors = ((self.expression(f), f, power) for f, power in self.library.factors(denominator))
         return tuple(
             Multiplier(expression, power, expression != self.zeroed and self._certified(factor))
-            for expression, factor, power in sorted(factors, key=lambda found: str(found[0]))
+            for expression, factor, power in sorted(factors, key=lambda found: _text(found[0]))
         )
 
     def reduced(self, a: Polynomial) -> Polynomial:

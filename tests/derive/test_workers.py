@@ -16,8 +16,10 @@ import pytest
 from derive.codegen import ValidationFailed, generate_charts
 from derive.codegen.build import GEOMETRY, build
 from derive.maps import Cayley
+from derive.workers import mapping
 from tests.support.command import ROOT
 from tests.support.counting import Counting, Dying
+from tests.support.staying import meet
 
 CHARTS = [Cayley(n) for n in (1, 2)]
 
@@ -56,6 +58,11 @@ def test_death_of_a_worker_is_reported():
     with pytest.raises(ChildProcessError, match="a worker process died"):
         build(CHARTS, Dying(), processes=2)
     assert multiprocessing.active_children() == []
+
+
+def test_this_process_takes_part(tmp_path: Path):
+    with mapping(meet, 2) as results:
+        assert list(results([tmp_path, tmp_path])) == [True, True]
 
 
 def test_number_of_processes_is_positive():

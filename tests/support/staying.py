@@ -1,4 +1,4 @@
-"""Task that never ends on its own, for tests of processes that must be ended; the module imports little."""
+"""Tasks for tests of processes: one never ends on its own, one waits for another process; the module imports little."""
 
 from __future__ import annotations
 
@@ -16,3 +16,12 @@ def stay(folder: Path) -> None:
         time.sleep(60)
     except KeyboardInterrupt:
         (folder / "interrupted").touch()
+
+
+def meet(folder: Path) -> bool:
+    """Create a file in a folder, and tell whether a second process does so within a minute."""
+    (folder / str(os.getpid())).touch()
+    end = time.monotonic() + 60
+    while len([*folder.iterdir()]) < 2 and time.monotonic() < end:
+        time.sleep(0.02)
+    return len([*folder.iterdir()]) == 2

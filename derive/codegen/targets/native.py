@@ -106,10 +106,11 @@ class Native(C):
         return {"loops": found, "up": "../" * bool(table.name)}
 
     def tiles(self) -> Data:
-        """Return the largest numbers of components, arrays and axes of any loop, and of components written out."""
+        """Return sizes of arrays, the most arrays and axes of a loop, and the most components that are written out."""
         every = [each["operands"] for table in self.tables for each in self.loops(table)["loops"]]
-        most = max(array.size for operands in every for array in operands)
-        return {"most": most, "operands": max(map(len, every)), "axes": MOST_AXES, "unrolled": UNROLLED}
+        sizes = sorted({array.size for operands in every for array in operands})
+        most = {"most": sizes[-1], "operands": max(map(len, every)), "axes": MOST_AXES}
+        return {**most, "sizes": sizes, "unrolled": UNROLLED}
 
     def companions(self, facts: Facts) -> dict[str, tuple[str, Data]]:
         """Return the headers of the chart for further tables, and the extension modules for all tables."""
