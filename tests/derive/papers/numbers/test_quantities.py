@@ -25,7 +25,7 @@ IN_PYTHON = [name for name, kind in KINDS.items() if QUANTITIES[name].exact and 
 def at_special(name: str, label: str):
     """Return the value of a letter at special coordinates."""
     letter = Symbol("a", name)
-    claim = Claim(equation("1", "", 1, equal(letter, letter)), equal(letter, letter))
+    claim = Claim(equation("1", equal(letter, letter)), equal(letter, letter))
     return claim.value(letter, Place("", {letter: special(KINDS[name])[label]}))
 
 
