@@ -10,8 +10,7 @@ from ..algebra import Structure, Tensor
 from ..algebra.matrix import Matrix
 from .claim import Claim, Place, kind
 from .language.environment import Env
-from .language.matrices import det, trace
-from .language.operator_table import Re, cos, norm, sin
+from .language.operator_table import Re, cos, det, norm, sin, trace
 from .language.printed import Number, Term, symbols
 from .language.written import written
 from .numbers.balls import BlurredError, precision

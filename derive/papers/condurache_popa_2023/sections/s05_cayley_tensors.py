@@ -26,6 +26,7 @@ rotates = proposition("pure rotation", "pure rotation")
 translates = proposition("pure translation", "pure translation")
 general = proposition("general displacement", "general rigid body displacement")
 below = proposition("below a half turn", r"$\left|\boldsymbol{\alpha}\right| < \pi$")
+power_of_e = define("power of e", "e^{{{0}}}", "e{0}", POWER, (LIST,), exp.value, traits=Trait.TRANSCENDENTAL)
 commutator = define("commutator", r"\left[{0}, {1}\right]", "{0},{1}", ATOM, (LIST, LIST),
                     lambda env, s, t: s @ t - t @ s)
 
