@@ -16,9 +16,8 @@ from .language.environment import Env
 from .language.operator_table import both, epsilon, equal
 from .language.printed import Symbol, Term, Trait, rate_depth, symbols, walk, with_trait
 from .numbers.balls import PRECISIONS, Ball, Balls, BlurredError, arb, precision
-from .numbers.build import jet
 from .numbers.fields import Field
-from .numbers.kinds import KINDS, Kind, Numbers
+from .numbers.kinds import KINDS, Kind, Numbers, jet
 from .numbers.quantities import BRANCH, ORDER, SIGN
 
 RATES_MAX = 2
