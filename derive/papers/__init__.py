@@ -7,19 +7,7 @@ equation               entries for printed equations and claims, and papers with
 result                 verdicts and status of an entry
 condurache_popa_2023   formulas of CP23, one module for each section, and the words of its equations in a file
 karakilic_2010.toml    claims of K10, in the same form as the files of users
-sharp                  sharpness of a condition, tested by the denominators
-claim                  a claim with its letters, evaluated over balls at points given by coordinates
-constrained            points moved onto the equations of a stated domain
-singular               singular parts of a formula: divisors, radicands, arguments of inverse functions
-zeros                  zeros of singular parts along lines of points
-places                 points at which a claim may fail
-conditions             conditions of a claim, found from the points where a part has no value
-regions                region on which a claim of one branch is true
-changes                claims that differ from a claim in one step
-near                   changes that mend a claim, terms that do not matter, constraints that it needs
-proof                  proof of a claim at generic values of an exact field
-witness                counterexample with both sides, certified
-finding                decision of one claim: what its points and generic values tell
+deciding               one claim: points where it may fail, conditions, regions, changes that mend it, proof
 decide                 decision of an entry
 entry_certificate      certificate of an entry: both sides of its equations as integer lists
 transcript             equations of a file that follows a paper's text, with stated conditions
@@ -48,8 +36,8 @@ from pathlib import Path
 from .. import about
 from ..output.listing import Listing
 from ..output.progress import bar, no_op
-from .claim import ORDERS
 from .decide import decide
+from .deciding.claim import ORDERS
 from .equation import Entry, Paper, Reading, UndecidedError, equation
 from .language.abbreviations import ClaimError
 from .result import Result, Status, Verdict

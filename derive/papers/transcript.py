@@ -10,7 +10,8 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
-from .claim import operators
+from .deciding.claim import operators
+from .deciding.proof import COMPONENTWISE
 from .equation import Entry, Latex, Reading
 from .language.abbreviations import CALL, CALLS, ClaimError, Scope
 from .language.claims import statement
@@ -18,7 +19,6 @@ from .language.environment import Definition, Env, let
 from .language.operator_table import nonzero
 from .language.printed import Apply, Number, Symbol, Term, Trait, shown_as, symbols, walk, with_trait
 from .language.relations import unlike
-from .proof import COMPONENTWISE
 
 READING_KEYS = ("claim", "note", "supported_by")
 

@@ -8,7 +8,7 @@ from itertools import product
 import pytest
 
 from derive.algebra import Dual, Quaternion, Structure, Tensor, Vector, dual_part, real_part
-from derive.papers.claim import Claim, Place
+from derive.papers.deciding.claim import Claim, Place
 from derive.papers.equation import equation
 from derive.papers.language.operator_table import equal
 from derive.papers.language.printed import Symbol

@@ -11,14 +11,14 @@ from functools import cached_property
 from itertools import chain, combinations, islice
 from typing import Any
 
-from ..algebra import Vector
+from ...algebra import Vector
+from ..language.printed import Symbol, Term, symbols
+from ..language.written import written
+from ..numbers.balls import BlurredError
+from ..numbers.kinds import Kind, Numbers, special
+from ..numbers.quantities import ORDER, SIGN
 from .claim import Claim, Place, kind, operators
 from .constrained import onto, touching
-from .language.printed import Symbol, Term, symbols
-from .language.written import written
-from .numbers.balls import BlurredError
-from .numbers.kinds import Kind, Numbers, special
-from .numbers.quantities import ORDER, SIGN
 from .singular import ABSENT, ORDERED, Singular, bare, is_integer, singular, size
 from .zeros import Line, at_integers, crossed, lines
 

@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from typing import Any
 
-from .language.calculus import BINDERS
-from .language.matrices import inverse
-from .language.operator_table import conjugate, transpose
-from .language.printed import Apply, Number, Symbol, Term, symbols
-from .language.written import written
+from ..language.calculus import BINDERS
+from ..language.matrices import inverse
+from ..language.operator_table import conjugate, transpose
+from ..language.printed import Apply, Number, Symbol, Term, symbols
+from ..language.written import written
 
 Change = tuple[int, str, str, Term]
 """Rank (simplest first), sort, words, and the changed claim or part."""

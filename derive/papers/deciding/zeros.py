@@ -11,14 +11,14 @@ from math import pi
 from random import Random
 from typing import Any
 
+from ..language.environment import Env
+from ..language.operator_table import Re, norm
+from ..language.printed import Symbol
+from ..language.written import written
+from ..numbers.balls import Ball, arb, flint, precision
+from ..numbers.kinds import Numbers
+from ..numbers.quantities import ORDER
 from .claim import Claim, Place, kind
-from .language.environment import Env
-from .language.operator_table import Re, norm
-from .language.printed import Symbol
-from .language.written import written
-from .numbers.balls import Ball, arb, flint, precision
-from .numbers.kinds import Numbers
-from .numbers.quantities import ORDER
 from .singular import ABSENT, Singular, plain_in
 
 FAR = tuple(map(Fraction, (30, 100, 1000, 10**4, 10**6, 10**12, 10**24)))
