@@ -65,7 +65,7 @@ class Entry(Typeset):
     because: Term | None = None  # identity that supports a statement for which points are only evidence
     argument: str = ""  # name of the module whose argument proves the statement from this identity
     also: Mapping[str, Mapping[Symbol, Any]] = field(default_factory=dict, compare=False)  # values at further points
-    moving: bool = False  # whether the symbols are functions of time
+    moving: bool = False  # whether symbols are functions of time although the statement has no rate
     orders: tuple[int, ...] | None = None  # orders that the entry is about; all by default
     branches: int | None = None  # number of values of a branch symbol; n by default
     components: bool = False  # whether single components occur; then no frame is chosen along the vectors

@@ -19,7 +19,7 @@ from .language.claims import statement, tree
 from .language.kinds import letter
 from .language.literals import LITERALS
 from .language.operations import CONSTANTS, OPERATIONS
-from .language.printed import Symbol, Term, Trait, with_trait
+from .language.printed import Symbol, Term
 from .transcript import READING_KEYS, Transcript
 
 BYTES_MAX = 2_000_000
@@ -255,9 +255,8 @@ def _entry(row: Mapping[str, str], scope: Scope, source: str) -> Entry:
     written, claim = read("claim")
     domain = read("domain")[1] if "domain" in row else None
     mended, correction = read("corrected") if "corrected" in row else (None, None)
-    parts = [part for part in (claim, domain, correction) if part is not None]
     return Entry(
         row["number"], (Reading(claim),), row.get("title", ""), claimed=domain, corrected=correction,
-        moving=bool(with_trait(Trait.RATE, *parts)), remark=row.get("remark", ""), source=source, written=written,
-        mended=mended, abbreviations=scope.abbreviations, at=row.get("at", ""), printed=row.get("latex", ""),
+        remark=row.get("remark", ""), source=source, written=written, mended=mended,
+        abbreviations=scope.abbreviations, at=row.get("at", ""), printed=row.get("latex", ""),
     )  # fmt: skip

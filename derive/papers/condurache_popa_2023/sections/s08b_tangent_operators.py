@@ -45,14 +45,14 @@ regular = nonzero(Re(q_now))
 for_every_n = proposition("for every n", "the same for every n, by the differential ring of p_n and q_n")
 
 ENTRIES = (
-    equation("81", equal(omega, dexp * rate(a)), where=EXPONENTIAL, moving=True),
+    equation("81", equal(omega, dexp * rate(a)), where=EXPONENTIAL),
     equation("82", equal(dexp, I + half * (sinc**2)(norm(a) / 2) * A + (1 - sinc(norm(a))) * (A**2 / norm(a)**2)),
              where=EXPONENTIAL, condition=nonzero(Re(a))),
     equation("sinc",
              equal(sinc(angle),
                    cases((sin(angle) / angle, provided(nonzero(Re(angle)))), (1, provided(zero(Re(angle)))))),
              where=(let(sinc, velocities.sinc_by_series),)),
-    equation("83", equal(rate(a), dexp_inv * omega), where=EXPONENTIAL, moving=True, condition=full_turn),
+    equation("83", equal(rate(a), dexp_inv * omega), where=EXPONENTIAL, condition=full_turn),
     equation("dexp-inverse-domain", implies(nonzero(Re(norm(a) - 2 * pi)), invertible), where=EXPONENTIAL,
              corrected=iff(full_turn, invertible)),
     equation("84", equal(dexp_inv, I - half * A + (1 - norm(a) / 2 * cot(norm(a) / 2)) * (A**2 / norm(a)**2)),
@@ -60,11 +60,10 @@ ENTRIES = (
     equation("85",
              (Reading(equal(rate(a), dexp_inv_T * omega_B), "inverse transpose"),
               Reading(equal(rate(a), dexp_T * omega_B), "transpose")),
-             where=EXPONENTIAL, moving=True, condition=full_turn),
-    equation("86", both(equal(omega, dcay * rate(v)), equal(omega_B, transpose(dcay) * rate(v))), where=OF_V,
-             moving=True),
+             where=EXPONENTIAL, condition=full_turn),
+    equation("86", both(equal(omega, dcay * rate(v)), equal(omega_B, transpose(dcay) * rate(v))), where=OF_V),
     equation("87", both(equal(rate(v), dcay_inv * omega), equal(rate(v), dcay_inv_T * omega_B)), where=OF_V,
-             moving=True, condition=regular),
+             condition=regular),
     equation("88",
              equal(dcay,
                    2 * q(norm(v)) * p(norm(v)) / (1 + x)**n * I + 2 * (q**2)(norm(v)) / (1 + x)**n * V + 2
@@ -76,8 +75,8 @@ ENTRIES = (
                    / (2 * n * x * q(norm(v))) * VV),
              where=(*OF_V, let(for_every_n, proved(89))), because=for_every_n,
              condition=both(nonzero(Re(x)), nonzero(Re(q(norm(v)))))),
-    equation("90", equal(rate(v), dcay_inv * omega), where=OF_V, moving=True, condition=regular),
-    equation("91", equal(rate(v), dcay_inv_T * omega_B), where=OF_V, moving=True, condition=regular),
+    equation("90", equal(rate(v), dcay_inv * omega), where=OF_V, condition=regular),
+    equation("91", equal(rate(v), dcay_inv_T * omega_B), where=OF_V, condition=regular),
     equation("six-real-equations", both(equal(equations_in(a), 6), equal(equations_in(v), 6)),
              where=(let(a, multiple, alpha, u),)),
 )
