@@ -6,8 +6,8 @@ in X; here they are functions of x:
 .. math::
     p_1 = q_1 = 1, \quad p_{n+1} = p_n - x\,q_n, \quad q_{n+1} = q_n + p_n \qquad \text{CP23 (56)}
 
-The recurrence is the definition. The binomial sums CP23 (51), (52) of `any_order`, the addition law and the closed forms
-of c_n and d_n are theorems. Functions of this module compute the latter independently.
+The recurrence is the definition. The binomial sums CP23 (51), (52), the addition law and the closed forms of c_n and
+d_n are theorems. Functions of this module and of `any_order` compute them independently.
 """
 
 from __future__ import annotations
