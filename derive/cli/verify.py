@@ -130,9 +130,9 @@ def _report(papers: Sequence[Paper], equations: list[str], orders: tuple[int, ..
     cited = None
     if total < everything and not orders:  # theorems cite the numbers of the first paper
         cited = {int(number) for number in equations if number.isdecimal()} if PAPERS[0] in papers else set()
-    with display.progress(total + len(orders) + 1) as step:
+    with display.progress(total + len(orders)) as step:
         step("equations")
-        results = decide(slug, equations, orders or None, lambda done, _: step(f"equation {done} of {total}"))
+        results = decide(slug, equations, orders or None, lambda done, _: step("equations"))
         found = list(theorems() if cited is None else citing(cited))
         for n in orders:
             step(f"proofs at n = {n}")

@@ -71,6 +71,27 @@ def power_sum(coefficient: sympy.Expr, last: sympy.Expr, first: int = 0) -> symp
     return PowerSum(coefficient * x ** (k - first), (k, first, sympy.floor(last)))
 
 
+def p_sum(n: sympy.Expr) -> sympy.Expr:
+    """Return p_n, CP23 (51)."""
+    return power_sum((-1) ** k * choose(n, 2 * k), n / 2)
+
+
+def q_sum(n: sympy.Expr) -> sympy.Expr:
+    """Return q_n, CP23 (52)."""
+    return power_sum((-1) ** k * choose(n, 2 * k + 1), (n - 1) / 2)
+
+
+def c_sum(n: sympy.Expr) -> sympy.Expr:
+    """Return the bracket c_n of dcay_n."""
+    return power_sum(n * choose(n - 1, k) - (-1) ** k * choose(2 * n, 2 * k + 1) / 2, n - 1, 1)
+
+
+def d_sum(n: sympy.Expr) -> sympy.Expr:
+    """Return the bracket d_n of dcay_n⁻¹."""
+    term = choose(n, 2 * k + 1) - choose(n, 2 * k - 1) - n * choose(n, 2 * k)
+    return power_sum((-1) ** k * term, (n + 1) / 2, 1)
+
+
 @dataclass(frozen=True)
 class AnyOrder(Cayley):
     """Cayley map of a symbolic order n ≥ 1, with formulas but without kernels."""
@@ -83,16 +104,10 @@ class AnyOrder(Cayley):
             raise ValueError(f"the order n must be an integer >= 1, or an expression in symbols for one, got {n}")
         object.__setattr__(self, "name", f"cayley_{n}")
 
-    p = property(lambda m: power_sum((-1) ** k * choose(m.n, 2 * k), m.n / 2))
-    q = property(lambda m: power_sum((-1) ** k * choose(m.n, 2 * k + 1), (m.n - 1) / 2))
-    c = property(
-        lambda m: power_sum(m.n * choose(m.n - 1, k) - (-1) ** k * choose(2 * m.n, 2 * k + 1) / 2, m.n - 1, 1)
-    )
-
-    @property
-    def d(self) -> sympy.Expr:
-        term = choose(self.n, 2 * k + 1) - choose(self.n, 2 * k - 1) - self.n * choose(self.n, 2 * k)
-        return power_sum((-1) ** k * term, (self.n + 1) / 2, 1)
+    p = property(lambda m: p_sum(m.n))
+    q = property(lambda m: q_sum(m.n))
+    c = property(lambda m: c_sum(m.n))
+    d = property(lambda m: d_sum(m.n))
 
     @property
     def singular_angles(self) -> tuple[sympy.Expr, ...]:

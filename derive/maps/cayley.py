@@ -214,7 +214,7 @@ class Cayley(BranchesOfOrder):
         at = self.scalars(x, m)
         return at.fi, at.hi
 
-    def at_angle(self, x: Coefficient, fi: Coefficient, angle: Coefficient, m: Arithmetic) -> CayleyScalars:
+    def at_known(self, x: Coefficient, fi: Coefficient, known: Coefficient, m: Arithmetic) -> CayleyScalars:
         return self.scalars(x, m)
 
     def _direction(self, at: CayleyScalars, y: Coefficient, r: Coefficient, m: Arithmetic) -> Pair:

@@ -132,20 +132,16 @@ class Chart(ChartFormulas):
         changes, `fi` is more accurate than f_i from x. Other charts use f_i from x: the gain loses digits at small v.
         """
 
-    @abstractmethod
-    def at_angle(self, x: Coefficient, fi: Coefficient, angle: Coefficient, m: Arithmetic) -> Scalars:
-        """Return the scalars of T⁻¹ at a known angle, with `fi` as in `back`.
-
-        Near a fold, x alone determines the angle badly: the error grows with 1/φ′.
-        """
-
     def known(self, angle: Coefficient, m: Arithmetic) -> Coefficient:
         """Return the number by which `at_known` knows an angle: the angle itself."""
         return angle
 
+    @abstractmethod
     def at_known(self, x: Coefficient, fi: Coefficient, known: Coefficient, m: Arithmetic) -> Scalars:
-        """Return the scalars of T⁻¹ as `at_angle` does, for the number `known` of the angle."""
-        return self.at_angle(x, fi, known, m)
+        """Return the scalars of T⁻¹ at the number `known` of an angle, with `fi` as in `back`.
+
+        Near a fold, x alone determines the angle badly: the error grows with 1/φ′.
+        """
 
     # --- branches -------------------------------------------------------------------------------------------------
 

@@ -142,9 +142,6 @@ class Multiple(Chart):
         f, h = self.base.back(self._square(x, m), m.name("fi_w", divided(fi, self.factor, m)), m)
         return self._times(f, m, "fi_v"), m.name("hi_v", divided(h, self.factor, m))
 
-    def at_angle(self, x: Coefficient, fi: Coefficient, angle: Coefficient, m: Arithmetic) -> MultipleScalars:
-        return self.at_known(x, fi, self.known(angle, m), m)
-
     def known(self, angle: Coefficient, m: Arithmetic) -> Coefficient:
         return self.base.known(angle, m)
 

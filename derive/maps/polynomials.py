@@ -7,14 +7,13 @@ in X; here they are functions of x:
     p_1 = q_1 = 1, \quad p_{n+1} = p_n - x\,q_n, \quad q_{n+1} = q_n + p_n \qquad \text{CP23 (56)}
 
 The recurrence is the definition. The binomial sums CP23 (51), (52), the addition law and the closed forms of c_n and
-d_n are theorems. Functions of this module compute them independently.
+d_n are theorems. Functions of this module and of `any_order` compute them independently.
 """
 
 from __future__ import annotations
 
 import operator
 from functools import lru_cache
-from math import comb
 from typing import Any, TypeAlias
 
 import sympy
@@ -90,7 +89,7 @@ def pair_by_squaring(n: int, at: Coefficient) -> Pair:
 def brackets(n: int, at: Coefficient) -> Pair:
     """Return (c_n, d_n) from the pair at ``at + ε``: ``c_n = 2 (p q′ − q p′)``, ``d_n = q − 2 q′ − 2 p′``.
 
-    Unlike the alternating sums of `c_binomial` and `d_binomial`, the formulas lose no digits on shadows at high order.
+    Unlike the alternating sums of `any_order.AnyOrder`, the formulas lose no digits on shadows at high order.
     """
     p, q = pair_by_squaring(n, Dual(at, 1))
     return brackets_of(real_part(p), real_part(q), dual_part(p), dual_part(q))
@@ -114,28 +113,6 @@ def ring_brackets(n: int) -> tuple[Any, Any]:
     p, q = ring_pair(n)
     brackets = n * (1 + RING_X) ** (n - 1) - p * q, (1 + RING_X) * q - n * p
     return brackets[0].exquo(RING_X), brackets[1].exquo(RING_X)
-
-
-def p_binomial(n: int) -> sympy.Expr:
-    """Return ``Σ_k (−1)ᵏ C(n, 2k) xᵏ``, CP23 (51)."""
-    return _sum((-1) ** k * comb(n, 2 * k) for k in range(require_order(n) // 2 + 1))
-
-
-def q_binomial(n: int) -> sympy.Expr:
-    """Return ``Σ_k (−1)ᵏ C(n, 2k+1) xᵏ``, CP23 (52)."""
-    return _sum((-1) ** k * comb(n, 2 * k + 1) for k in range((require_order(n) - 1) // 2 + 1))
-
-
-def c_binomial(n: int) -> sympy.Expr:
-    """Return ``c_n = Σ_{j≥1} [n C(n−1, j) − ½ (−1)ʲ C(2n, 2j+1)] xʲ⁻¹``."""
-    terms = range(1, require_order(n))
-    return _sum(n * comb(n - 1, j) - (-1) ** j * comb(2 * n, 2 * j + 1) // 2 for j in terms)
-
-
-def d_binomial(n: int) -> sympy.Expr:
-    """Return ``d_n = Σ_{j≥1} (−1)ʲ [C(n, 2j+1) − C(n, 2j−1) − n C(n, 2j)] xʲ⁻¹``."""
-    terms = range(1, require_order(n) // 2 + 2)
-    return _sum((-1) ** j * (comb(n, 2 * j + 1) - comb(n, 2 * j - 1) - n * comb(n, 2 * j)) for j in terms)
 
 
 def horner(polynomial: Any, x: Coefficient) -> Coefficient:
@@ -166,7 +143,3 @@ def singular_angles(n: int) -> tuple[sympy.Expr, ...]:
 def poles(n: int) -> tuple[sympy.Expr, ...]:
     """Return the poles of dcay_n⁻¹, ``Re|v| = tan(kπ/n)`` for ``1 ≤ k ≤ ⌊(n−1)/2⌋``, where ``q_n = 0``."""
     return tuple(sympy.tan(sympy.pi * k / n) for k in range(1, (require_order(n) - 1) // 2 + 1))
-
-
-def _sum(coefficients: Any) -> sympy.Expr:
-    return RING.from_dict({(k,): value for k, value in enumerate(coefficients) if value}).as_expr()

@@ -107,7 +107,7 @@ class QuaternionChart(Chart):
     def back(self, x: Coefficient, fi: Coefficient, m: Arithmetic) -> Pair:
         return fi, self.scalars(x, m).hi
 
-    def at_angle(self, x: Coefficient, fi: Coefficient, angle: Coefficient, m: Arithmetic) -> DependentScalars:
+    def at_known(self, x: Coefficient, fi: Coefficient, known: Coefficient, m: Arithmetic) -> DependentScalars:
         """Return scalars with the given f_i, and h_i from f_i; T⁻¹ along the axis is φ′ for any error of f_i."""
         at = self.scalars(x, m)
         at.fi = fi

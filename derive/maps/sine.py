@@ -144,9 +144,6 @@ class Sine(OrderChart):
     def scalars(self, x: Coefficient, m: Arithmetic) -> SineScalars:
         return SineScalars(self.order, x, m)
 
-    def at_angle(self, x: Coefficient, fi: Coefficient, angle: Coefficient, m: Arithmetic) -> SineAtAngle:
-        return self.at_known(x, fi, self.known(angle, m), m)
-
     def known(self, angle: Coefficient, m: Arithmetic) -> Coefficient:
         """Return cos θ, whose sign changes every 2nπ; v is on the side where it is positive."""
         _, cosine = double_angle(m.name("t", m.tan(m.div(angle, 4 * self.order))), m)

@@ -5,21 +5,9 @@ numbers                fields in which formulas are evaluated, and values of sym
 language               terms, operators, values and evaluation of formulas
 equation               entries for printed equations and claims, and papers with their sections
 result                 verdicts and status of an entry
-condurache_popa_2023   entries of CP23, one module for each section
+condurache_popa_2023   formulas of CP23, one module for each section, and the words of its equations in a file
 karakilic_2010.toml    claims of K10, in the same form as the files of users
-sharp                  sharpness of a condition, tested by the denominators
-claim                  a claim with its letters, evaluated over balls at points given by coordinates
-constrained            points moved onto the equations of a stated domain
-singular               singular parts of a formula: divisors, radicands, arguments of inverse functions
-zeros                  zeros of singular parts along lines of points
-places                 points at which a claim may fail
-conditions             conditions of a claim, found from the points where a part has no value
-regions                region on which a claim of one branch is true
-changes                claims that differ from a claim in one step
-near                   changes that mend a claim, terms that do not matter, constraints that it needs
-proof                  proof of a claim at generic values of an exact field
-witness                counterexample with both sides, certified
-finding                decision of one claim: what its points and generic values tell
+deciding               one claim: points where it may fail, conditions, regions, changes that mend it, proof
 decide                 decision of an entry
 entry_certificate      certificate of an entry: both sides of its equations as integer lists
 transcript             equations of a file that follows a paper's text, with stated conditions
@@ -31,9 +19,10 @@ report                 results as text, JSON, Markdown, HTML and LaTeX
 Each module imports only from modules above it in the table. The package of a paper has its own table:
 
 ===========  ================================================================================
-notation     symbols used throughout the paper, characters lost by its text extraction, and operators of this paper only
+text.toml    words of its equations: lines and characters of the extracted text, titles, remarks
+notation     symbols used throughout the paper, and operators of this paper only
 definitions  definitions of symbols, against which printed formulas are checked
-sections     entries in printed order; a section may use symbols of earlier sections
+sections     formulas in printed order; a section may use symbols of earlier sections
 ===========  ================================================================================
 """
 
@@ -42,14 +31,13 @@ from __future__ import annotations
 import warnings
 from collections.abc import Callable, Collection, Iterable, Sequence
 from contextlib import nullcontext
-from importlib import import_module
 from pathlib import Path
 
 from .. import about
 from ..output.listing import Listing
 from ..output.progress import bar, no_op
-from .claim import ORDERS
 from .decide import decide
+from .deciding.claim import ORDERS
 from .equation import Entry, Paper, Reading, UndecidedError, equation
 from .language.abbreviations import ClaimError
 from .result import Result, Status, Verdict
@@ -58,13 +46,12 @@ from .sheet import Sheet, SheetError, claim_alone, load, sheet
 
 
 def registered(slug: str) -> Paper:
-    """Return a paper of this folder: a file of claims, or a package with its `PAPER`."""
+    """Return a paper of this folder: a file of claims, or a package."""
     name = slug.replace("-", "_")
     file = Path(__file__).parent / f"{name}.toml"
-    if file.exists():
-        return sheet(file.read_text(encoding="utf-8"), f"{__name__.replace('.', '/')}/{file.name}")
-    paper: Paper = import_module(f".{name}", __name__).PAPER
-    return paper
+    if not file.exists():
+        return Paper.of_package(name)
+    return sheet(file.read_text(encoding="utf-8"), f"{__name__.replace('.', '/')}/{file.name}")
 
 
 PAPERS = tuple(map(registered, about.PAPERS))

@@ -9,17 +9,17 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 
-from .claim import ORDERS, Claim
+from .deciding.claim import ORDERS, Claim
+from .deciding.finding import Finding, Outcome, decided
+from .deciding.near import mended, needed, vacuous
+from .deciding.places import places
+from .deciding.proof import proved
+from .deciding.sharp import is_sharp
+from .deciding.witness import outside_words, shown_at
 from .equation import Entry, Reading, UndecidedError, require_complete
-from .finding import Finding, Outcome, decided
 from .language.operator_table import both, implies
-from .language.printed import Term, Trait, with_trait
-from .near import mended, needed, vacuous
-from .places import places
-from .proof import proved
+from .language.printed import Term
 from .result import Counterexample, Result, Status, Verdict
-from .sharp import is_sharp
-from .witness import outside_words, shown_at
 
 
 def decide(
@@ -133,8 +133,7 @@ def _premised(claim: Claim) -> Claim:
 
 def _support(entry: Entry, identity: Term, orders: Sequence[int]) -> None:
     """Raise unless the supporting identity is proved; points where it is undefined are ignored."""
-    moving = entry.moving or bool(with_trait(Trait.RATE, identity))
-    claim = Claim(replace(entry, condition=None, claimed=None, also={}, moving=moving), identity, orders)
+    claim = Claim(replace(entry, condition=None, claimed=None, also={}), identity, orders)
     at = Outcome().tried(claim, places(claim), lambda outcome: bool(outcome.false))
     if at.false or proved(claim) is None:
         reason = f"false at {at.false[0].label}" if at.false else "not exact"

@@ -8,12 +8,12 @@ from typing import Any
 from ..algebra.element import Element
 from ..proof.certificate import Certificate, part
 from ..proof.identity import Sides
-from .claim import ORDERS, Claim
+from .deciding.claim import ORDERS, Claim
+from .deciding.proof import Pairs, proved
 from .equation import Entry
 from .language import operator_table
 from .language.printed import Apply, Symbol, Term, text
 from .language.written import written
-from .proof import Pairs, proved
 from .result import Result, Status
 
 TERMS_MAX = 2000

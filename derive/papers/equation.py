@@ -18,8 +18,11 @@ from __future__ import annotations
 
 import importlib
 import re
+import tomllib
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
+from functools import cached_property
+from pathlib import Path
 from typing import Any
 
 from ..output.typeset import Typeset
@@ -50,19 +53,19 @@ class Entry(Typeset):
     """Entry for a printed equation or claim; create one with `equation`."""
 
     number: str  # the paper's number, or a slug
-    title: str
-    line: int  # line of the extracted text that contains the equation
-    extract: str  # characters of the text on that line; empty for a claim in words
     readings: tuple[Reading, ...]  # listed by hand, the most charitable first
+    title: str = ""
+    line: int = 0  # line of the extracted text that contains the equation
+    extract: str = ""  # characters of the text on that line; empty for a claim in words
     where: tuple[Definition, ...] = ()  # definitions of symbols; all other symbols are free
     claimed: Term | None = None  # domain stated by the paper; points outside it are not tested
-    stated: tuple[int, str] | None = None  # line and words that state the claimed domain
+    stated: str = ""  # words that state the claimed domain
     condition: Term | None = None  # condition under which the equation was found to hold
     corrected: Term | None = None  # correction of an erratum
     because: Term | None = None  # identity that supports a statement for which points are only evidence
     argument: str = ""  # name of the module whose argument proves the statement from this identity
     also: Mapping[str, Mapping[Symbol, Any]] = field(default_factory=dict, compare=False)  # values at further points
-    moving: bool = False  # whether the symbols are functions of time
+    moving: bool = False  # whether symbols are functions of time although the statement has no rate
     orders: tuple[int, ...] | None = None  # orders that the entry is about; all by default
     branches: int | None = None  # number of values of a branch symbol; n by default
     components: bool = False  # whether single components occur; then no frame is chosen along the vectors
@@ -126,10 +129,9 @@ def _entry_at(source: str, number: str) -> Entry:
     return found
 
 
-def equation(number: str, title: str, line: int, printed: Term | tuple[Reading, ...], **rest: Any) -> Entry:
+def equation(number: str, printed: Term | tuple[Reading, ...], **rest: Any) -> Entry:
     """Return an entry; `printed` is a statement or a tuple of readings."""
-    readings = printed if isinstance(printed, tuple) else (Reading(printed),)
-    return Entry(number, title, line, rest.pop("extract", ""), readings, **rest)
+    return Entry(number, printed if isinstance(printed, tuple) else (Reading(printed),), **rest)
 
 
 class Latex(str):
@@ -171,7 +173,7 @@ def require_complete(entry: Entry, lost: str) -> None:
     mistakes = {
         "an argument leads on from an identity that is proved": entry.argument and entry.because is None,
         "rates are nested, which claims of files may do": any(rate_depth(r.statement) > 1 for r in entry.readings),
-        "a claimed domain and the words that state it come together": (entry.claimed is None) != (entry.stated is None),
+        "a claimed domain and the words that state it come together": (entry.claimed is None) == bool(entry.stated),
         f"a reading does not have the characters of line {entry.line}": entry.extract and unfaithful,
         "an erratum shows the words of the paper": entry.corrected is not None and not (entry.extract or entry.said),
         f"the correction is a reading of line {entry.line}":
@@ -184,25 +186,41 @@ def require_complete(entry: Entry, lost: str) -> None:
 
 @dataclass(frozen=True)
 class Paper:
-    """Paper whose equations are entries."""
+    """Paper whose equations are entries: formulas in the modules of a package, words in its file ``text.toml``."""
 
     slug: str
-    short: str
-    citation: str
-    lost: str  # characters lost by the extraction of its text
-    package: str  # name of its package, which contains ``sections``
-    sections: tuple[str, ...]  # modules in ``sections``, in the paper's order; each defines ``ENTRIES``
-    claims: Mapping[int, str]  # further lines of the text, with the entries that decide them
-    reasons: Mapping[str, str]  # lines that claim nothing, by reason
+    short: str = ""
+    citation: str = ""
+    lost: str = ""  # characters lost by the extraction of its text
+    claims: Mapping[int, str] = field(default_factory=dict)  # further lines of the text, with the entries for them
+    reasons: Mapping[str, str] = field(default_factory=dict)  # lines that claim nothing, by reason
     doi: str = ""
+    package: str = ""  # name of its package
+    words: Mapping[str, Mapping[str, Any]] = field(default_factory=dict, repr=False)  # fields of entries by number
+
+    @staticmethod
+    def of_package(name: str) -> Paper:
+        """Return the paper of a package beside this module."""
+        data = tomllib.loads((Path(__file__).parent / name / "text.toml").read_text(encoding="utf-8"))
+        words = {row["number"]: row for row in data["equation"]}
+        claims = {int(line): numbers for line, numbers in data["claims"].items()}
+        package = f"{__package__}.{name}"
+        return Paper(**data["paper"], claims=claims, reasons=data["reasons"], package=package, words=words)
+
+    @cached_property
+    def sections(self) -> tuple[str, ...]:
+        """Modules in ``sections`` that define ``ENTRIES``, in the paper's order."""
+        folder = Path(__file__).parent / self.package.rpartition(".")[2] / "sections"
+        return tuple(sorted(path.stem for path in folder.glob("s[0-9]*.py")))
 
     def entries(self) -> tuple[Entry, ...]:
-        """Return all entries in the paper's order, each with the path of its module."""
+        """Return all entries in the paper's order, each with its words and the path of its module."""
         found: list[Entry] = []
         for section in self.sections:
             name = f"{self.package}.sections.{section}"
             source = f"{name.replace('.', '/')}.py"
-            found += [replace(entry, source=source) for entry in importlib.import_module(name).ENTRIES]
+            entries = importlib.import_module(name).ENTRIES
+            found += [replace(entry, source=source, **self.words[entry.number]) for entry in entries]
         return tuple(found)
 
     def inventory(self) -> dict[int, tuple[str, ...] | str]:

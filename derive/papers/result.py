@@ -137,7 +137,7 @@ class Result(Typeset):
             "printed": self.printed,
             "corrected": self.corrected,
             "claimed": self.claimed,
-            "stated": entry.stated[1] if entry.stated else self.domain or None,
+            "stated": entry.stated or self.domain or None,
             "condition": self.condition or self.found or None,
             "exact": self.exact if entry.condition is not None else None,
             "readings": [

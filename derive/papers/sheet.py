@@ -19,7 +19,7 @@ from .language.claims import statement, tree
 from .language.kinds import letter
 from .language.literals import LITERALS
 from .language.operations import CONSTANTS, OPERATIONS
-from .language.printed import Symbol, Term, Trait, with_trait
+from .language.printed import Symbol, Term
 from .transcript import READING_KEYS, Transcript
 
 BYTES_MAX = 2_000_000
@@ -137,9 +137,9 @@ def sheet(text: str, name: str) -> Sheet:
 
     citation = ". ".join(part for part in (about.get("title", ""), about.get("source", "")) if part)
     return Sheet(
-        slug=slug, short=about.get("short", slug), citation=citation, lost=about.get("lost", ""), package="",
-        sections=(), claims={int(line): numbers for line, numbers in claims.items()}, reasons=reasons, stated=stated,
-        read=read, request=(text, name),
+        slug, about.get("short", slug), citation, about.get("lost", ""),
+        {int(line): numbers for line, numbers in claims.items()}, reasons,
+        stated=stated, read=read, request=(text, name),
     )  # fmt: skip
 
 
@@ -147,8 +147,7 @@ def claim_alone(claim: str, letters: Mapping[str, str], domain: str = "") -> She
     """Return a single claim as a sheet; raise ClaimError."""
     scope = Scope({name: letter(name, kind) for name, kind in letters.items()})
     entry = _entry({"number": "", "claim": claim, **({"domain": domain} if domain else {})}, scope, "")
-    return Sheet(slug="", short="claim", citation="", lost="", package="", sections=(), claims={}, reasons={},
-                 read=lambda: ((entry,), ()), request=(claim, dict(letters), domain))  # fmt: skip
+    return Sheet("", "claim", read=lambda: ((entry,), ()), request=(claim, dict(letters), domain))
 
 
 def _strings(data: Mapping[str, Any], table: str, name: str) -> dict[str, str]:
@@ -256,9 +255,8 @@ def _entry(row: Mapping[str, str], scope: Scope, source: str) -> Entry:
     written, claim = read("claim")
     domain = read("domain")[1] if "domain" in row else None
     mended, correction = read("corrected") if "corrected" in row else (None, None)
-    parts = [part for part in (claim, domain, correction) if part is not None]
     return Entry(
-        row["number"], row.get("title", ""), 0, "", (Reading(claim),), claimed=domain, corrected=correction,
-        moving=bool(with_trait(Trait.RATE, *parts)), remark=row.get("remark", ""), source=source, written=written,
-        mended=mended, abbreviations=scope.abbreviations, at=row.get("at", ""), printed=row.get("latex", ""),
+        row["number"], (Reading(claim),), row.get("title", ""), claimed=domain, corrected=correction,
+        remark=row.get("remark", ""), source=source, written=written, mended=mended,
+        abbreviations=scope.abbreviations, at=row.get("at", ""), printed=row.get("latex", ""),
     )  # fmt: skip

@@ -10,7 +10,8 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
-from .claim import operators
+from .deciding.claim import operators
+from .deciding.proof import COMPONENTWISE
 from .equation import Entry, Latex, Reading
 from .language.abbreviations import CALL, CALLS, ClaimError, Scope
 from .language.claims import statement
@@ -18,7 +19,6 @@ from .language.environment import Definition, Env, let
 from .language.operator_table import nonzero
 from .language.printed import Apply, Number, Symbol, Term, Trait, shown_as, symbols, walk, with_trait
 from .language.relations import unlike
-from .proof import COMPONENTWISE
 
 READING_KEYS = ("claim", "note", "supported_by")
 
@@ -48,12 +48,12 @@ class Transcript:
         heads = {name.split()[0] for name in operators(*inside) if name}
         line = row.get("line", 0)
         return Entry(
-            row["number"], row.get("title", ""), line, Latex(row.get("latex", "")), readings,
+            row["number"], readings, line=line, extract=Latex(row.get("latex", "")),
             where=tuple(definition for definition, _ in definitions), claimed=domain, condition=_sharp(condition),
-            stated=(line, row["stated"]) if "stated" in row else None, corrected=corrected, because=because,
-            moving=bool(with_trait(Trait.RATE, *inside)), components=bool(heads & COMPONENTWISE), source=self.source,
-            at=self._section(line), abbreviations=self.scope.abbreviations,
-            **{key: row[key] for key in ("lost", "fixed_by", "said", "remark") if key in row},
+            corrected=corrected, because=because, moving=bool(with_trait(Trait.RATE, *inside)),
+            components=bool(heads & COMPONENTWISE), source=self.source, at=self._section(line),
+            abbreviations=self.scope.abbreviations,
+            **{key: row[key] for key in ("title", "stated", "lost", "fixed_by", "said", "remark") if key in row},
         )  # fmt: skip
 
     def _read(self, row: Mapping[str, str], key: str) -> Term:

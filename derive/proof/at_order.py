@@ -13,7 +13,7 @@ from typing import Any
 
 import sympy
 
-from ..maps import Cayley, closed_forms, polynomials
+from ..maps import Cayley, any_order, closed_forms, polynomials
 from .evaluation import NoValueError
 from .formulas import tangent, tangent_inv, tensor
 from .identity import Checks, Proof, Sides, decide
@@ -31,11 +31,12 @@ SYMBOLS = {
 }  # fmt: skip
 """Symbols in the theorems, by the attribute of a Cayley map that holds the formula."""
 
-SUMS = ("p_binomial", "q_binomial", "c_binomial", "d_binomial")
+SUMS = ("p_sum", "q_sum", "c_sum", "d_sum")
 PAIRS = {"multiply": "pq", "pair_by_squaring": "pq", "brackets": "cd"}
 FORMS = ("quaternion", "tensor", "tangent", "tangent_inv")
 FUNCTIONS: Mapping[str, Function] = {
-    **{name: getattr(polynomials, name) for name in (*SUMS, *PAIRS)},
+    **{name: getattr(any_order, name) for name in SUMS},
+    **{name: getattr(polynomials, name) for name in PAIRS},
     **{name: getattr(closed_forms, name) for name in FORMS},
     "singular_angles": polynomials.singular_angles,
     "poles": polynomials.poles,
@@ -110,7 +111,7 @@ def computations(order: int, functions: Mapping[str, Function] = FUNCTIONS) -> t
     """Prove that functions (sums, pairs, closed forms, singular angles) agree with the theorems at an order."""
     at = at_order(order)
     halves = [polynomials.pair(k, at.x) if k else (1, 0) for k in (order // 2, order - order // 2)]
-    arguments = {"multiply": (*halves, at.x), **dict.fromkeys(SUMS, (order,))}
+    arguments = {"multiply": (*halves, at.x), **dict.fromkeys(SUMS, (sympy.Integer(order),))}
 
     def computed(name: str, place: int = 0) -> tuple[Any, ...]:
         found = functions[name](*arguments.get(name, (order, at.x)))
@@ -122,7 +123,7 @@ def computations(order: int, functions: Mapping[str, Function] = FUNCTIONS) -> t
         for place, symbol in enumerate(symbols)
     }
     return (
-        same_as_theorem(at, {f"polynomials.{a}({order})": (SYMBOLS[a[0]], partial(computed, a)) for a in SUMS}),
+        same_as_theorem(at, {f"any_order.{a}({order})": (SYMBOLS[a[0]], partial(computed, a)) for a in SUMS}),
         same_as_theorem(at, pairs),
         *(same_as_theorem(at, {f"closed_forms.{a}({order}, x)": (SYMBOLS[a], partial(computed, a))}) for a in FORMS),
         _singular_angles(at, functions),

@@ -8,14 +8,14 @@ from dataclasses import replace
 from functools import partial
 
 from derive.papers import PAPERS, Result
-from derive.papers.claim import Claim
 from derive.papers.decide import decide
+from derive.papers.deciding.claim import Claim
+from derive.papers.deciding.places import places
 from derive.papers.equation import Entry
 from derive.papers.language.operator_table import negated
 from derive.papers.language.printed import RELATION, Apply, Number, Symbol, Term
 from derive.papers.numbers.balls import BlurredError
 from derive.papers.numbers.quantities import PROPOSITION
-from derive.papers.places import places
 
 from .mutant import EQUIVALENT, KILLED, SURVIVED, Mutant, Verdict
 

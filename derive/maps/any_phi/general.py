@@ -215,10 +215,10 @@ class General(AngleChart):
     def scalars(self, x: Coefficient, m: Arithmetic) -> GeneralScalars:
         return GeneralScalars(self, x, m)
 
-    def at_angle(self, x: Coefficient, fi: Coefficient, angle: Coefficient, m: Arithmetic) -> DependentScalars:
+    def at_known(self, x: Coefficient, fi: Coefficient, known: Coefficient, m: Arithmetic) -> DependentScalars:
         if self._edge.kind == "fold":
-            return GeneralAtAngle(self, x, fi, angle, m)
-        return super().at_angle(x, fi, angle, m)
+            return GeneralAtAngle(self, x, fi, known, m)
+        return super().at_known(x, fi, known, m)
 
     def own_angle(self, at: GeneralScalars, r: Coefficient) -> Coefficient:
         return at.angle_of(r)

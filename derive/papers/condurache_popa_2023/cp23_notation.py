@@ -1,4 +1,4 @@
-"""Symbols of the paper, characters lost by its text extraction, and operators of sections 7 and 8."""
+"""Symbols of the paper, and operators of sections 7 and 8."""
 
 from __future__ import annotations
 
@@ -11,9 +11,6 @@ from ..language.environment import Env
 from ..language.operator_table import define, dyad, identity, norm, skew
 from ..language.printed import ATOM, LIST, PRODUCT, RELATION, SUM, Symbol, Term, Trait, with_trait
 from ..numbers.fields import UndefinedError, innermost
-
-LOST = "_^-()[]{}|√/⊗≠⇒⇔∈∀⟨⟩,;.'∞"
-"""Characters lost or scattered by the extraction. Digits, letters, +, ±, ·, ×, ~, ˙, =, ε survive in order."""
 
 
 def _letters(quantity: str, shape: str, ending: str = "", mark: str = "") -> Callable[..., Symbol]:

@@ -18,7 +18,6 @@ from ..numbers.fields import UndefinedError, innermost
 from ..numbers.series import Series, SeriesField
 from . import values
 from .environment import Env
-from .matrices import rotation, translation, twist_of
 from .operator_table import define, infinity
 from .printed import ATOM, LIST, PRODUCT, SUM, Apply, OperatorRow, Symbol, Term, symbols, walk
 
@@ -115,7 +114,7 @@ def _of_group(left: bool) -> Callable[..., Any]:
         g, slopes = _derivatives(env, body, letter, at)
         back = _group_inverse(g)
         products = [values.multiply(s, back) if left else values.multiply(back, s) for s in slopes]
-        columns = [p.vect() if isinstance(p, Tensor) else twist_of(p) for p in map(matrix.exactly, products)]
+        columns = [values.vect(p) for p in map(matrix.exactly, products)]
         return columns[0] if len(columns) == 1 else matrix.blocks([columns])
 
     return jacobian
@@ -124,8 +123,8 @@ def _of_group(left: bool) -> Callable[..., Any]:
 def _group_inverse(g: Any) -> Any:
     if isinstance(g, Tensor):
         return g.transpose
-    back = rotation(g).transpose
-    return matrix.blocks([[back, -(back @ translation(g))], [matrix.shaped([[0, 0, 0]]), 1]])
+    back = values.rotation(g).transpose
+    return values.pose(back, -(back @ values.translation(g)))
 
 
 def _limit(env: Env, body: Term, letter: Term, at: Term) -> Any:

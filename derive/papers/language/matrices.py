@@ -7,7 +7,7 @@ from typing import Any
 
 from ...algebra import Quaternion, Structure, Tensor, Vector, matrix
 from ...algebra.element import NotExactError
-from ...algebra.matrix import Matrix, part
+from ...algebra.matrix import Matrix
 from ...maps.exponential import quaternion_exponential, tensor_exponential
 from ...maps.first_principles import tensor_by_sandwich
 from ..numbers.balls import Ball, arb, flint
@@ -15,6 +15,7 @@ from ..numbers.fields import UndefinedError, innermost
 from .environment import Env
 from .operator_table import define
 from .printed import ATOM, LIST, OPERATORS, POWER, PRODUCT, Apply, Term, Trait
+from .values import halves, pose, rotation, skew, translation, vect
 
 # ---- literals ---------------------------------------------------------------------------------------------------
 
@@ -86,70 +87,27 @@ def invert(env: Env, a: Any) -> Any:
 
 
 inverse = define("inverse", "{0}^{{-1}}", "inverse({0})", POWER, (ATOM,), invert)
-transpose = define("transpose of matrix", r"{0}^{{T}}", "transpose({0})", POWER, (ATOM,),
-                   lambda env, a: matrix.transposed(a))
-det = define("det of matrix", r"\det {0}", "det({0})", PRODUCT, (ATOM,), lambda env, a: matrix.det(a))
-trace = define("trace of matrix", r"\operatorname{{trace}} {0}", "trace({0})", PRODUCT, (ATOM,),
-               lambda env, a: sum(row[i] for i, row in enumerate(matrix.rows_of(a))))
 
 
 # ---- poses and twists -------------------------------------------------------------------------------------------
 
 
-def _parts(a: Any) -> tuple[Vector, Vector]:
-    """Return the first and the last three entries of a twist."""
-    return part(a, range(3), range(1)), part(a, range(3, 6), range(1))
-
-
-def twist_matrix(xi: Matrix) -> Any:
-    """Return the 4x4 matrix of a twist, angular part first."""
-    w, v = _parts(xi)
-    return matrix.blocks([[Tensor.skew(w), v], [_row(0, 0, 0), Fraction(0)]])
-
-
-def twist_of(a: Any) -> Any:
-    """Return the twist of a 4x4 twist matrix."""
-    return matrix.blocks([[part(a, range(3), range(3)).vect()], [translation(a)]])
-
-
-def rotation(T: Any) -> Any:
-    """Return the rotation of a 4x4 matrix."""
-    return part(T, range(3), range(3))
-
-
-def translation(T: Any) -> Any:
-    """Return the translation of a 4x4 matrix."""
-    return part(T, range(3), range(3, 4))
-
-
-def _row(*entries: int) -> Any:
-    return matrix.shaped([list(map(Fraction, entries))])
-
-
-def pose(R: Any, p: Any) -> Any:
-    """Return the 4x4 matrix of a rotation and a translation."""
-    return matrix.blocks([[R, p], [_row(0, 0, 0), Fraction(1)]])
-
-
-def adjoint(T: Any) -> Any:
+def _adjoint(T: Any) -> Any:
     """Return the 6x6 matrix that moves twists, angular part first."""
     R = rotation(T)
     return matrix.blocks([[R, 0 * R], [Tensor.skew(translation(T)) @ R, R]])
 
 
 def _ad(xi: Matrix) -> Any:
-    w, v = map(Tensor.skew, _parts(xi))
+    w, v = map(Tensor.skew, halves(xi))
     return matrix.blocks([[w, 0 * w], [v, w]])
 
 
 pose_of = define("pose of", r"\begin{{bmatrix}} {0} & {1} \\ 0 & 1 \end{{bmatrix}}", "pose_of({0}, {1})", ATOM,
                  (LIST, LIST), lambda env, R, p: pose(R, p))
 adjoint_of = define("adjoint", r"\operatorname{{Ad}}\left({0}\right)", "adjoint({0})", ATOM, (LIST,),
-                    lambda env, T: adjoint(T))
+                    lambda env, T: _adjoint(T))
 ad = define("ad", r"\operatorname{{ad}}\left({0}\right)", "ad({0})", ATOM, (LIST,), lambda env, xi: _ad(xi))
-hat = define("twist matrix", r"\tilde{{{0}}}", "skew({0})", ATOM, (ATOM,), lambda env, xi: twist_matrix(xi))
-vee = define("twist of matrix", r"\operatorname{{vect}} {0}", "vect({0})", PRODUCT, (ATOM,),
-             lambda env, a: twist_of(a))
 rotation_of = define("rotation of quaternion", r"R\left({0}\right)", "rotation_of({0})", ATOM, (LIST,),
                      lambda env, q: tensor_by_sandwich(q) / q.norm2())
 
@@ -172,11 +130,11 @@ def _exponential(env: Env, a: Any) -> Any:
     if isinstance(a, Vector):
         return quaternion_exponential(a, env.field)
     if isinstance(a, Matrix) and len(a.rows[0]) == 1:
-        a = twist_matrix(a)
+        a = skew(a)
     if not isinstance(a, Structure):
         return env.field.exp(a)
-    if isinstance(a, Matrix) and len(a.rows) == 4 and env.equal(a, twist_matrix(twist_of(a))):
-        w, v = _parts(twist_of(a))
+    if isinstance(a, Matrix) and len(a.rows) == 4 and env.equal(a, skew(vect(a))):
+        w, v = halves(vect(a))
         W, (b, c) = Tensor.skew(w), _shifts(env, w)
         return pose(tensor_exponential(w, env.field), (Tensor.identity() + W * b + W @ W * c) @ v)
     if isinstance(a, Tensor) and env.equal(a, Tensor.skew(a.vect())):
@@ -225,8 +183,8 @@ def _logarithm(env: Env, a: Any) -> Any:
     w = _rotation_vector(env, rotation(a))
     W, (b, c) = Tensor.skew(w), _shifts(env, w)
     back = (Tensor.identity() + W * b + W @ W * c).inverse()
-    return twist_matrix(matrix.blocks([[w], [back @ translation(a)]]))
+    return skew(matrix.blocks([[w], [back @ translation(a)]]))
 
 
-exp = define("exp of matrix", r"\exp {0}", "exp({0})", PRODUCT, (ATOM,), _exponential, traits=Trait.TRANSCENDENTAL)
+exp = define("exp", r"\exp {0}", "exp {0}", PRODUCT, (ATOM,), _exponential, traits=Trait.TRANSCENDENTAL)
 log = define("log", r"\log {0}", "log({0})", PRODUCT, (ATOM,), _logarithm, traits=Trait.TRANSCENDENTAL)

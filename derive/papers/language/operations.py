@@ -28,7 +28,7 @@ class Operation:
 
     @property
     def operator(self) -> str:
-        """Name of the operator; empty if it depends on the kind of the first argument."""
+        """Name of the operator; empty if it depends on the number of arguments."""
         return str(getattr(self.term, "name", ""))
 
     def kind(self, call: str, kinds: Sequence[Kind]) -> Kind:
@@ -104,12 +104,6 @@ def _group_jacobian(f: Kind, letter: Kind, *rest: Kind) -> Kind:
     return (rows, columns)
 
 
-def _by_kind(choose: Callable[[Kind], Callable[..., Term]]) -> Callable[..., Any]:
-    """Mark a constructor of terms that needs the kind of the first argument."""
-    choose.by_kind = True  # type: ignore[attr-defined]
-    return choose
-
-
 def _function(row: Callable[..., Term], says: str, example: str) -> Operation:
     return Operation(("number",), "number", row, says, example)
 
@@ -123,18 +117,15 @@ OPERATIONS: dict[str, Operation] = {
     "distance": Operation(("vector", "vector"), "number", relations.distance,
                           "shortest distance of two lines, given by unit dual vectors", "distance(v, w)"),
     "dyad": Operation(("vector", "vector"), TENSOR, t.dyad, "dyadic product v wᵀ", "dyad(v, w)"),
-    "skew": Operation(("vector or twist",), _skew, _by_kind(lambda k: t.skew if k == VECTOR else matrices.hat),
-                      "matrix with skew(v) w = v × w; of a twist its 4x4 matrix", "skew(v)"),
-    "vect": Operation(("tensor or pose",), lambda k: VECTOR if k == TENSOR else TWIST,
-                      _by_kind(lambda k: t.vect if k == TENSOR else matrices.vee),
+    "skew": Operation(("vector or twist",), _skew, t.skew, "matrix with skew(v) w = v × w; of a twist its 4x4 matrix",
+                      "skew(v)"),
+    "vect": Operation(("tensor or pose",), lambda k: VECTOR if k == TENSOR else TWIST, t.vect,
                       "axial vector of (A − Aᵀ)/2; of a 4x4 twist matrix its twist", "vect(R)"),
-    "transpose": Operation(("matrix",), _transposed, matrices.transpose, "transpose", "transpose(R)"),
+    "transpose": Operation(("matrix",), _transposed, t.transpose, "transpose", "transpose(R)"),
     "inverse": Operation(("number or quaternion or square matrix",), _not_vector("inverse"), matrices.inverse,
                          "inverse of a number, quaternion or square matrix", "inverse(A)"),
-    "det": Operation(("square matrix",), "number", _by_kind(lambda k: t.det if k == TENSOR else matrices.det),
-                     "determinant", "det(A)"),
-    "trace": Operation(("square matrix",), "number", _by_kind(lambda k: t.trace if k == TENSOR else matrices.trace),
-                       "trace", "trace(R)"),
+    "det": Operation(("square matrix",), "number", t.det, "determinant", "det(A)"),
+    "trace": Operation(("square matrix",), "number", t.trace, "trace", "trace(R)"),
     "conjugate": Operation(("quaternion",), "quaternion", t.conjugate, "conjugate of a quaternion", "conjugate(q)"),
     "re": Operation(("value",), same, t.Re, "real part", "re(a)"),
     "du": Operation(("value",), same, t.Du, "dual part", "du(a)"),
@@ -212,5 +203,4 @@ def term(call: str, arguments: Sequence[Term], kinds: Sequence[Kind]) -> tuple[T
     """Return the term of a call and its kind; raise KindError."""
     row = OPERATIONS[call]
     kind = row.kind(call, kinds)
-    build = row.term(kinds[0]) if getattr(row.term, "by_kind", False) else row.term
-    return build(*arguments), kind
+    return row.term(*arguments), kind

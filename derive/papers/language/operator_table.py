@@ -16,7 +16,6 @@ from sympy import LeviCivita
 
 from ...algebra import Quaternion, Structure, Tensor, Vector, matrix
 from ...algebra.element import NotExactError
-from ...maps.exponential import quaternion_exponential, tensor_exponential
 from ..numbers.balls import BlurredError
 from ..numbers.fields import UndefinedError, innermost
 from . import values
@@ -160,8 +159,6 @@ def _counting(count: Callable[..., int]) -> Callable[..., int]:
 
 
 factorial = define("factorial", "{0}!", "{0}!", ATOM, (ATOM,), _counting(math.factorial))
-power_of_e = define("power of e", "e^{{{0}}}", "e{0}", POWER, (LIST,), lambda env, a: _exponential(env, a),
-                    traits=Trait.TRANSCENDENTAL)
 
 
 def _sum(env: Env, index: Term, low: Term, high: Term, body: Term) -> Any:
@@ -235,11 +232,12 @@ triple = define("triple", r"\left\langle {0}, {1}, {2} \right\rangle", "{0},{1},
 dyad = define("dyad", r"{0} \otimes {1}", "{0}⊗{1}", PRODUCT, (ATOM, ATOM), lambda env, a, b: Tensor.dyad(a, b))
 couple = define("couple", r"\left({0},\, {1}\right)", "({0},{1})", ATOM, (LIST, LIST),
                 lambda env, a, b: values.add(values.quaternion(a), b))
-skew = define("skew", r"\tilde{{{0}}}", "{0}~", ATOM, (ATOM,), lambda env, a: Tensor.skew(a))
-transpose = define("transpose", r"{0}^{{T}}", "{0}^T", POWER, (ATOM,), lambda env, a: a.transpose)
-det = define("det", r"\det {0}", "det {0}", PRODUCT, (ATOM,), lambda env, a: a.det())
-trace = define("trace", r"\operatorname{{trace}} {0}", "trace {0}", PRODUCT, (ATOM,), lambda env, a: a.trace())
-vect = define("vect", r"\operatorname{{vect}} {0}", "vect {0}", PRODUCT, (ATOM,), lambda env, a: a.vect())
+skew = define("skew", r"\tilde{{{0}}}", "{0}~", ATOM, (ATOM,), lambda env, a: values.skew(a))
+transpose = define("transpose", r"{0}^{{T}}", "{0}^T", POWER, (ATOM,), lambda env, a: matrix.transposed(a))
+det = define("det", r"\det {0}", "det {0}", PRODUCT, (ATOM,), lambda env, a: values.det(a))
+trace = define("trace", r"\operatorname{{trace}} {0}", "trace {0}", PRODUCT, (ATOM,),
+               lambda env, a: sum(row[i] for i, row in enumerate(matrix.rows_of(a))))
+vect = define("vect", r"\operatorname{{vect}} {0}", "vect {0}", PRODUCT, (ATOM,), lambda env, a: values.vect(a))
 conjugate = define("conjugate", "{0}^{{*}}", "{0}*", POWER, (ATOM,), lambda env, a: values.quaternion(a).conjugate())
 rate = define("rate", r"\dot{{{0}}}", "{0}˙", ATOM, (ATOM,), lambda env, a: env.rate(a), traits=Trait.RATE)
 ddt = define("ddt", r"\frac{{d}}{{dt}} {0}", "d/dt{0}", PRODUCT, (PRODUCT,), lambda env, a: env.rate(a),
@@ -270,17 +268,7 @@ def _squared(f: OperatorRow) -> OperatorRow:
                   lambda env, a: env.field.power(f.value(env, a), 2), traits=f.traits)
 
 
-sin2, cos2, tan2 = _squared(sin), _squared(cos), _squared(tan)
-
-
-def _exponential(env: Env, a: Any) -> Any:
-    """Return the exponential of a number, skew tensor or vector; a vector counts as a pure quaternion."""
-    if isinstance(a, Tensor):
-        return tensor_exponential(a.vect(), env.field)
-    return quaternion_exponential(a, env.field) if isinstance(a, Vector) else env.field.exp(a)
-
-
-exp = define("exp", r"\exp {0}", "exp {0}", PRODUCT, (ATOM,), _exponential, traits=Trait.TRANSCENDENTAL)
+cos2, tan2 = _squared(cos), _squared(tan)
 at = define("at", r"{0}\left({1}\right)", "{0} {1}", ATOM, (ATOM, LIST), lambda env, f, a: f(a))
 reaches = define("reaches", r"{0} : \cdot \mapsto {1} \text{{ for some argument}}", "{0}{1}", RELATION, (SUM, SUM),
                  lambda env, f, target: f.reaches(env.field, target) > 0, traits=Trait.DELICATE)

@@ -16,7 +16,7 @@ from typing import Any, Self
 from sympy import Basic, Integer
 from sympy.core.symbol import Str
 
-from ..numbers.kinds import QUANTITIES, Quantity
+from ..numbers.quantities import QUANTITIES, Quantity
 
 ATOM, POWER, PRODUCT, SUM, RELATION, LIST = 5, 4, 3, 2, 1, 0  # binding strength of a term
 

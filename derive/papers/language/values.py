@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
-from ...algebra import Dual, Quaternion, Structure, Vector, matrix, mixed
+from ...algebra import Dual, Quaternion, Structure, Tensor, Vector, matrix, mixed
 from ...algebra.mixed import quaternion as quaternion
 from ...maps.pose import Pose
 from ..numbers.fields import Field
@@ -143,6 +143,50 @@ def du(a: Any) -> Any:
 def dualise(re: Any, du: Any) -> Any:
     """Return ``re + ε du`` for numbers and structures."""
     return re + du * Dual(0, 1)
+
+
+# ---- matrices, poses and twists ---------------------------------------------------------------------------------
+
+
+def det(a: Any) -> Any:
+    """Return the determinant; that of a tensor needs no division."""
+    return a.det() if isinstance(a, Tensor) else matrix.det(a)
+
+
+def rotation(T: Any) -> Any:
+    """Return the rotation of a 4x4 matrix."""
+    return matrix.part(T, range(3), range(3))
+
+
+def translation(T: Any) -> Any:
+    """Return the translation of a 4x4 matrix."""
+    return matrix.part(T, range(3), range(3, 4))
+
+
+def pose(R: Any, p: Any, one: int = 1) -> Any:
+    """Return the 4x4 matrix of a rotation and a translation."""
+    return matrix.blocks([[R, p], [matrix.shaped([[Fraction(0)] * 3]), Fraction(one)]])
+
+
+def halves(xi: Any) -> tuple[Vector, Vector]:
+    """Return the angular part and the other part of a twist."""
+    return matrix.part(xi, range(3), range(1)), matrix.part(xi, range(3, 6), range(1))
+
+
+def skew(a: Any) -> Any:
+    """Return the skew tensor of a vector, or the 4x4 matrix of a twist."""
+    if isinstance(a, Vector):
+        return Tensor.skew(a)
+    w, v = halves(a)
+    return pose(Tensor.skew(w), v, 0)
+
+
+def vect(a: Any) -> Any:
+    """Return the axial vector of a tensor, or the twist of a 4x4 matrix."""
+    return a.vect() if isinstance(a, Tensor) else matrix.blocks([[rotation(a).vect()], [translation(a)]])
+
+
+# ---- equality ---------------------------------------------------------------------------------------------------
 
 
 def equal(field: Field, a: Any, b: Any, found: list[tuple[Any, Any]] | None = None) -> bool:

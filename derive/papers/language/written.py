@@ -25,10 +25,7 @@ PREFIX = {"negative": ("-", PRODUCT, POWER), "negated": ("not ", NOT, NOT), "non
 LOCAL = ("limit at", "integral")
 """Operators whose letter has no value outside."""
 NAMES = {symbol: name for name, (symbol, _) in CONSTANTS.items()}
-CALLS = {
-    row.operator or name: name for name, row in OPERATIONS.items() if not getattr(row.term, "by_kind", False)
-} | {"sum": "sum", "entry of column": "entry", "det of matrix": "det", "trace of matrix": "trace", "skew": "skew",
-     "vect": "vect", "det": "det", "trace": "trace", "bracket": ""}  # fmt: skip
+CALLS = {row.operator or name: name for name, row in OPERATIONS.items()} | {"entry of column": "entry", "bracket": ""}
 """Name of a call by the name of its operator."""
 
 

@@ -16,9 +16,9 @@ from typing import Any
 
 from ...algebra import Dual, Quaternion, Vector
 from ...algebra.element import NotExactError
-from .build import jet, sphere
 from .every_order import EveryOrder
 from .fields import Exact
+from .kinds import jet, sphere, versor
 from .quantities import Role
 
 RATES = ("˙", "¨")
@@ -101,10 +101,10 @@ class Generic:
         zero = self.field.functions.constant(0)
         self._vectors += self.framed
         if self.framed and self._vectors == 1:
-            u = sphere(self.number(name, 0, zero), self.number(name, 1, zero))
+            u = sphere((1, self.number(name, 0, zero), self.number(name, 1, zero)))
             return Vector(u.c3, u.c1, u.c2)
         in_plane = self.framed and self._vectors == 2
-        return sphere(self.number(name, 0), self.number(name, 1, zero if in_plane else None))
+        return sphere((1, self.number(name, 0), self.number(name, 1, zero if in_plane else None)))
 
     def turn(self, name: str) -> Quaternion:
         """Return a unit quaternion: from half angle and axis, or ``q²/|q|²`` if the field lacks the angle."""
@@ -113,9 +113,7 @@ class Generic:
         if name in self.field.functions.angles:
             half = self.number(name, 2, at=self.field.symbol(name))
             return Quaternion(self.field.cos(half), self.unit(name) * self.field.sin(half))
-        whole = Quaternion(1, self._free_vector(name))
-        square: Quaternion = whole * whole / whole.norm2()
-        return square
+        return versor((1, *self._free_vector(name)))
 
     # ---- helpers --------------------------------------------------------------------------------------------------
 

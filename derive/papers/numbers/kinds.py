@@ -9,16 +9,13 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from functools import reduce
 from math import factorial
 from typing import Any
 
-from ...algebra import Quaternion, Tensor, Vector
+from ...algebra import Dual, Quaternion, Tensor, Vector
 from ...algebra.matrix import shaped
 from .balls import Balls, precision
-from .build import polynomial
-from .quantities import QUANTITIES as QUANTITIES
-from .quantities import Quantity as Quantity
-from .quantities import Role
 
 Numbers = Sequence[Any]
 SPECIAL_BITS = 4096
@@ -43,8 +40,34 @@ class Kind:
     antipode: Callable[[Numbers], Numbers] = lambda c: tuple(-a for a in c)  # coordinates of the opposite value
 
 
+def jet(value: Any, rates: Sequence[Any]) -> Any:
+    """Return a number with its rates: of first order as one dual number, of second order as nested dual numbers."""
+    return Dual(jet(value, rates[:-1]), jet(rates[0], rates[1:])) if rates else value
+
+
+@dataclass(frozen=True)
+class Smooth:
+    """Differentiable function of plain or dual numbers, with its derivative at plain numbers."""
+
+    value: Callable[[Any], Any]
+    derivative: Callable[[Any], Any]
+
+    def __call__(self, a: Any) -> Any:
+        return self.value(a)
+
+
+def polynomial(coefficients: Sequence[Any]) -> Smooth:
+    """Return the polynomial with coefficients in ascending order."""
+
+    def horner(numbers: Sequence[Any], a: Any) -> Any:
+        return reduce(lambda total, c: total * a + c, reversed(numbers), 0)
+
+    slopes = [k * c for k, c in enumerate(coefficients)][1:]
+    return Smooth(lambda a: horner(coefficients, a), lambda a: horner(slopes, a))
+
+
 def sphere(c: Numbers) -> Vector:
-    """Return the unit vector with homogeneous stereographic coordinates."""
+    """Return the unit vector with homogeneous stereographic coordinates; (1, s, t) are all but (0, 0, −1)."""
     r, s, t = c
     square, flat = r * r, s * s + t * t
     unit: Vector = Vector(2 * r * s, 2 * r * t, square - flat) / (square + flat)
@@ -150,29 +173,19 @@ KINDS: dict[str, Kind] = {
 KINDS |= {f"constant {name}": replace(kind, constant=True) for name, kind in KINDS.items() if not kind.still}
 
 
-def special(kind: Kind) -> dict[str, Numbers]:
-    """Return the special coordinates of a kind by label."""
-    with precision(SPECIAL_BITS):
-        return dict(kind.special(Balls().pi))
+def exact(kind: Kind) -> Callable[[Any, str], Any]:
+    """Return the function that builds the value of a letter, by its name, from generic numbers of an exact field."""
 
-
-def _exact(kind: Kind) -> Callable[[Any, str], Any]:
     def value(generic: Any, name: str) -> Any:
         first, still = [1] * kind.projective, kind.constant or kind.spread == "integer"
-        numbers = [generic.real(generic.number(name, i, constant=still)) for i in range(kind.size - len(first))]
+        numbers = [generic.number(name, i, constant=still) for i in range(kind.size - len(first))]
+        numbers = numbers if kind.dual else list(map(generic.real, numbers))
         return kind.build([*first, *([numbers[0] ** 2] if kind.spread == "positive" else numbers)])
 
     return value
 
 
-def _row(name: str, kind: Kind) -> Quantity:
-    """Return the row of a kind in the table of quantities; a row that is there only gains the value without a frame."""
-    plain = QUANTITIES.get(name.removeprefix("constant "))
-    if plain and not kind.constant:
-        return plain if plain.name == "smooth function" else replace(plain, built=_exact(kind))
-    role = plain.role if plain else Role.TENSOR if kind.size > 1 else None
-    exact = plain.exact if plain and role is Role.ANGLE else _exact(kind)
-    return Quantity(name, kind.size, exact, exact, role, apart=not kind.dual)
-
-
-QUANTITIES |= {name: _row(name, kind) for name, kind in KINDS.items()}
+def special(kind: Kind) -> dict[str, Numbers]:
+    """Return the special coordinates of a kind by label."""
+    with precision(SPECIAL_BITS):
+        return dict(kind.special(Balls().pi))

@@ -1,7 +1,4 @@
-"""Table of the quantities of symbols, with their generic values in an exact field.
-
-Values at points are built by `derive.papers.numbers.kinds`, which extends this table.
-"""
+"""Table of quantities of symbols: those with coordinates (`kinds`), those that a definition gives, and constants."""
 
 from __future__ import annotations
 
@@ -12,8 +9,8 @@ from typing import TYPE_CHECKING, Any
 
 from ...algebra import Dual, Quaternion, Tensor
 from ...maps.first_principles import tensor_by_sandwich as rotation
-from .build import polynomial
 from .fields import Field
+from .kinds import KINDS, Kind, exact, polynomial
 
 if TYPE_CHECKING:
     from .generic import Generic
@@ -28,14 +25,18 @@ class Role(Enum):
     TENSOR = auto()  # has generic entries; no frame is chosen
 
 
+Value = Callable[["Generic", str], Any]
+"""Function that returns the generic value of a symbol, given its name."""
+
+
 @dataclass(frozen=True, eq=False)
 class Quantity:
     """Row of the table."""
 
     name: str
     size: int = 0  # number of independent numbers in a value
-    exact: Callable[[Generic, str], Any] | None = None  # returns the generic value of a symbol, given its name
-    built: Callable[[Generic, str], Any] | None = None  # the same without a frame along the vectors
+    exact: Value | None = None
+    built: Value | None = None  # the same without a frame along the vectors
     role: Role | None = None
     value: Callable[[Field], Any] | None = None  # returns the value of a constant in a field
     apart: bool = False  # whether it separates real and dual parts; then exact coefficients are dual too
@@ -51,35 +52,41 @@ PROPOSITION = Quantity("proposition", apart=True)
 SIGN = Quantity("sign")
 """Sign ±, equal on both sides of an equation."""
 
-_REAL = (
-    Quantity("real", 1, lambda g, name: g.real(g.number(name)), apart=True),
-    Quantity("real angle", 1, lambda g, name: g.real(g.angle(name)), role=Role.ANGLE, apart=True),
-    Quantity("smooth function", 4, lambda g, name: polynomial([g.real(g.number(name, i)) for i in range(4)])),
-    Quantity("real vector", 3, lambda g, name: g.vector(name).map(g.real), role=Role.VECTOR, apart=True),
-    Quantity("rotation", 3, lambda g, name: rotation(g.turn(name)).map(g.real), role=Role.TURN),
-    Quantity("real tensor", apart=True), Quantity("real quaternion", apart=True),
-)  # fmt: skip
+FRAMED: dict[str, tuple[Role | None, Value]] = {
+    "real angle": (Role.ANGLE, lambda g, name: g.real(g.angle(name))),
+    "angle": (Role.ANGLE, lambda g, name: g.angle(name)),
+    "argument": (None, lambda g, name: g.number(name, at=g.every and g.every.X)),
+    "scale": (None, lambda g, name: g.number(name, at=g.every and g.every.scale)),
+    "smooth function": (None, lambda g, name: polynomial([g.real(g.number(name, i)) for i in range(4)])),
+    "real vector": (Role.VECTOR, lambda g, name: g.vector(name).map(g.real)),
+    "dual vector": (Role.VECTOR, lambda g, name: g.vector(name)),
+    "unit vector": (None, lambda g, name: g.unit(name)),
+    "quaternion": (Role.VECTOR, lambda g, name: Quaternion(g.number(name, 3), g.vector(name))),
+    "unit quaternion": (Role.TURN, lambda g, name: g.turn(name)),
+    "rotation": (Role.TURN, lambda g, name: rotation(g.turn(name)).map(g.real)),
+    "orthogonal tensor": (Role.TURN, lambda g, name: rotation(g.turn(name))),
+}
+"""Roles and generic values in a frame, or with exact sines; values of other kinds are built from generic numbers."""
 
-_NUMBERS = (
-    Quantity("dual number", 1, lambda g, name: g.number(name)),
-    Quantity("argument", 1, lambda g, name: g.number(name, at=g.every and g.every.X)),
-    Quantity("scale", 1, lambda g, name: g.number(name, at=g.every and g.every.scale)),
-    Quantity("angle", 1, lambda g, name: g.angle(name), role=Role.ANGLE),
-)
+NOT_APART = ("smooth function", "rotation")
+"""Real quantities of statements that hold for dual numbers too."""
 
-_STRUCTURES = (
-    Quantity("dual vector", 3, lambda g, name: g.vector(name), role=Role.VECTOR),
-    Quantity("unit vector", 2, lambda g, name: g.unit(name)),
-    Quantity("quaternion", 4, lambda g, name: Quaternion(g.number(name, 3), g.vector(name)), role=Role.VECTOR),
-    Quantity("unit quaternion", 3, lambda g, name: g.turn(name), role=Role.TURN),
-    Quantity("tensor", 9, lambda g, name: Tensor.from_entries(g.number(name, i) for i in range(9)), role=Role.TENSOR),
-    Quantity("orthogonal tensor", 3, lambda g, name: rotation(g.turn(name)), role=Role.TURN),
-    Quantity("line", apart=True), Quantity("pose"),
-)  # fmt: skip
+
+def _row(name: str, kind: Kind) -> Quantity:
+    """Return the row of a kind; a constant one that is no angle is built without a frame."""
+    plain, built = name.removeprefix("constant "), exact(kind)
+    role, framed = FRAMED.get(plain, (Role.TENSOR if kind.size > 1 else None, built))
+    if kind.constant and role is not Role.ANGLE:
+        framed = built
+    apart = not kind.dual and name not in NOT_APART
+    return Quantity(name, kind.size - kind.projective, framed, built, role, apart=apart)
+
 
 _DEFINED = (
-    Quantity("number"), Quantity("function"), Quantity("function of parts", apart=True), Quantity("map"), PROPOSITION,
-)
+    Quantity("real tensor", apart=True), Quantity("real quaternion", apart=True), Quantity("line", apart=True),
+    Quantity("pose"), Quantity("number"), Quantity("function"), Quantity("function of parts", apart=True),
+    Quantity("map"), PROPOSITION,
+)  # fmt: skip
 """Quantities that need a definition; a number may be real or dual."""
 
 _CONSTANT = (
@@ -92,6 +99,7 @@ _CONSTANT = (
 )
 """Constants; an index is bound by its operator."""
 
+_WITH_COORDINATES = (_row(name, kind) for name, kind in KINDS.items())
 QUANTITIES: dict[str, Quantity] = {
-    row.name: row for row in (ORDER, BRANCH, SIGN, *_REAL, *_NUMBERS, *_STRUCTURES, *_DEFINED, *_CONSTANT)
+    row.name: row for row in (ORDER, BRANCH, SIGN, *_WITH_COORDINATES, *_DEFINED, *_CONSTANT)
 }

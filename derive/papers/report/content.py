@@ -213,7 +213,7 @@ def _second(entry: Entry | None, parts: list[str]) -> str:
     if any(KINDS[name].dual for name in quantities & KINDS.keys()):
         return " + ε "
     depth = rate_depth(entry.readings[0].statement)
-    return ("", ", rate ", TWICE)[depth] if entry.moving and depth < 3 else ""
+    return ("", ", rate ", TWICE)[depth] if depth < 3 else ""
 
 
 def _numbers(parts: list[str], second: str) -> str:

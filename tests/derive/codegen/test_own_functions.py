@@ -7,6 +7,8 @@ from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
 
+import mpmath
+import numpy as np
 import pytest
 
 import dualcay
@@ -16,7 +18,9 @@ from derive.codegen.catalogue import committed
 from derive.codegen.lowered import geometry, lower_chart
 from derive.codegen.signatures import FUNCTIONS, POSES, ROTATIONS
 from derive.codegen.targets import TARGETS
-from derive.codegen.validation import own_functions
+from derive.codegen.validation import own_functions, run
+from derive.codegen.validation.batches import batches
+from derive.codegen.validation.decimals import EXACT_DIGITS
 from derive.codegen.validation.run import require_module
 from derive.maps import Cayley, family
 from derive.output import files
@@ -50,6 +54,19 @@ def test_wrong_text_of_other_targets_fails_validation(tmp_path: Path, target: st
     files.write(tmp_path, {**texts, file: texts[file].replace(right, wrong, 1)})
     with pytest.raises(ValidationFailed, match=r"cayley4\.\w+.*component"):
         TARGETS[target].validate(tmp_path, Cayley(4), file == "_geometry.py")
+
+
+def test_function_that_is_right_pose_by_pose_and_wrong_on_batches_is_refused() -> None:
+    batch = max(batches(Cayley(4), POSES, frozenset({"principal"})), key=lambda batch: len(batch.cases))
+
+    def shuffled(v: Any) -> Any:
+        found = cayley4.principal(v)
+        return found[::-1] if v.ndim > 1 else found
+
+    with mpmath.workdps(EXACT_DIGITS), np.errstate(all="ignore"):
+        run._check(SimpleNamespace(__name__="dualcay.cayley4", principal=cayley4.principal), batch)
+        with pytest.raises(ValidationFailed, match=r"cayley4\.principal.*component"):
+            run._check(SimpleNamespace(__name__="dualcay.cayley4", principal=shuffled), batch)
 
 
 # --- names and constants ----------------------------------------------------------------------------------------------

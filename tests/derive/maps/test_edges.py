@@ -212,6 +212,6 @@ def test_known_angle_near_a_fold_keeps_all_digits() -> None:
     at = {alpha: sympy.Float(angle, PHI_DIGITS)}
     size, fi, _, hi = (c.subs(at).evalf(PHI_DIGITS) for c in (chart.phi, *chart.tangent_inv.coefficients))
     x, exact = float(size**2), float(2 * hi)
-    known = chart.at_angle(x, float(2 * fi), angle, PLAIN)
+    known = chart.at_known(x, float(2 * fi), angle, PLAIN)
     assert known.hi == pytest.approx(exact, rel=1e-15)
     assert chart.scalars(x, PLAIN).hi != pytest.approx(exact, rel=1e-9)

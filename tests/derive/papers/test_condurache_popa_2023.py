@@ -13,11 +13,11 @@ import sympy
 
 from derive.algebra.element import Element
 from derive.papers import PAPERS, Result, Status, UndecidedError, verify
-from derive.papers.condurache_popa_2023 import PAPER
-from derive.papers.condurache_popa_2023.cp23_notation import LOST
 from derive.papers.condurache_popa_2023.definitions import preimages
 from derive.papers.decide import decide
 
+PAPER = PAPERS[0]
+LOST = PAPER.lost
 SECTIONS = tuple(s for s in PAPER.sections if not s.startswith(("s07", "s08", "s10")))
 ERRATA = {
     *("cayley-onto", "cayley-domain", "rodrigues-domain", "cayley-quaternion-onto", "38-domain", "cayley-half-onto"),

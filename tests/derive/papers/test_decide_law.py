@@ -6,8 +6,8 @@ from itertools import product
 
 import pytest
 
-from derive.papers.claim import Claim
-from derive.papers.finding import decided
+from derive.papers.deciding.claim import Claim
+from derive.papers.deciding.finding import decided
 from derive.papers.result import Status
 from derive.papers.sheet import claim_alone
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import importlib
 import re
+from dataclasses import replace
 from itertools import pairwise
 
 import pytest
@@ -77,14 +78,15 @@ def test_equations_are_chosen_by_string_or_list():
 
 BASE = ("derive", "papers")
 PACKAGES = tuple(paper.package.rpartition(".")[2] for paper in PAPERS if paper.package)
-DECIDING = ("sharp", "claim", "constrained", "singular", "zeros", "places", "conditions", "regions", "changes", "near",
-            "proof", "witness", "finding", "decide", "entry_certificate", "transcript", "sheet", "run")  # fmt: skip
+DECIDING = ("deciding", "decide", "entry_certificate", "transcript", "sheet", "run")
+IN_DECIDING = ("sharp", "claim", "constrained", "singular", "zeros", "places", "conditions", "regions", "changes",
+               "near", "proof", "witness", "finding")  # fmt: skip
 ENTRIES = ("equation", "result")
 ROOMS = ("numbers", "language", *ENTRIES, *PACKAGES, *DECIDING, "report", "")
 """Import order: each subpackage or module may import itself and earlier ones; the empty name is derive.papers."""
 
 IN_A_PAPER = ("notation", "definitions", "sections")
-"""Import order inside the package of a paper; its ``__init__`` imports only its notation."""
+"""Import order inside the package of a paper."""
 
 
 def found() -> list[tuple[tuple[str, ...], tuple[str, ...]]]:
@@ -100,12 +102,12 @@ def room(name: tuple[str, ...]) -> str:
 def allowed(importer: tuple[str, ...], name: tuple[str, ...]) -> bool:
     if room(importer) in PACKAGES and room(name) == room(importer):
         return allowed_in_a_paper(importer[1:], name[1:])
+    if room(importer) == room(name) == "deciding":
+        return IN_DECIDING.index(name[1]) <= IN_DECIDING.index(importer[1])
     return ROOMS.index(room(name)) <= ROOMS.index(room(importer))
 
 
 def allowed_in_a_paper(importer: tuple[str, ...], name: tuple[str, ...]) -> bool:
-    if not importer or not name:
-        return bool(name) and part(name) == "notation"
     if importer[0] == name[0] == "sections":
         return name < importer  # alphabetical order is the order of sections
     return IN_A_PAPER.index(part(name)) <= IN_A_PAPER.index(part(importer))
@@ -126,16 +128,17 @@ def test_every_room_is_in_the_table() -> None:
 
 
 @pytest.mark.parametrize("paper", [p for p in PAPERS if p.package], ids=lambda paper: paper.short)
-def test_sections_are_named_in_printed_order(paper) -> None:
-    assert list(paper.sections) == sorted(paper.sections)
-    held = ROOT.joinpath(*paper.package.split("."), "sections")
-    assert {path.stem for path in held.glob("s*.py")} - set(paper.sections) <= {"s07_general_order"}
+def test_words_of_a_package_follow_its_formulas(paper) -> None:
+    assert list(paper.words) == [entry.number for entry in paper.entries()]
+    with pytest.raises(KeyError, match="'22'"):
+        replace(paper, words={number: row for number, row in paper.words.items() if number != "22"}).entries()
 
 
 @pytest.mark.parametrize(
     ("importer", "name"),
     [(("numbers", "generic"), ("language", "printed")), (("language", "printed"), ("equation",)),
-     (("transcript",), ("sheet",)),
+     (("transcript",), ("sheet",)), (("deciding", "claim"), ("deciding", "places")),
+     (("deciding", "near"), ("decide",)),
      ((PACKAGES[0], "definitions", "orders"), (PACKAGES[0], "sections")),
      ((PACKAGES[0], "sections", "s03_rigid_motion"), (PACKAGES[0], "sections", "s04_dual_quaternions")),
      (("equation",), ("decide",)), (("decide",), ())],

@@ -6,7 +6,7 @@ from typing import Any
 import pytest
 import sympy
 
-from derive.maps import polynomials
+from derive.maps import Cayley, polynomials
 from derive.proof import citing, formulas, theorems
 from derive.proof.controls import controls
 from derive.proof.displacement_theorems import CLOSED_AT, DOUBLE_ANGLE, EXPONENTIAL
@@ -148,7 +148,7 @@ def test_indices_of_binomial_sums_matter() -> None:
 @pytest.mark.parametrize("order", range(1, 9))
 def test_slopes_match_the_polynomials(order: int) -> None:
     at = sympy.Rational(3, 7)
-    pair = polynomials.p_binomial(order), polynomials.q_binomial(order)
+    pair = Cayley(order).p, Cayley(order).q
     values = [e.subs(x, at) for e in (*pair, *(e.diff(x) for e in pair))]
     for equation, slope in zip(SLOPES.claim, values[2:], strict=True):
         assert equation.right.subs({n: order, x: at, p: values[0], q: values[1]}) == slope

@@ -4,6 +4,7 @@ from ...equation import *
 from ...language import values as values
 from ...language.common_definitions import *
 from ...language.environment import *
+from ...language.matrices import exp as exp
 from ...language.operator_table import *
 from ...language.printed import *
 from ..cp23_notation import *

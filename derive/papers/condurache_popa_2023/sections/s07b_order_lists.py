@@ -4,7 +4,7 @@ from typing import Any
 
 from ..definitions import cayley_maps, orders
 from . import *
-from .s07_general_order import *
+from .general_order import *
 from .s07a_fractional_transform import turned
 
 x2 = norm(v) ** 4
@@ -26,29 +26,40 @@ class Order:
         )
         self.preimage = (let(v, orders.at_order(n, orders.preimage), alpha, u),)
 
-    def polynomials(self, number: str, title: str, line: int, extract: str) -> Entry:
+    def polynomials(self, number: str) -> Entry:
         """Return the entry about p_n and q_n."""
-        statement = both(equal(self.p(X), self.p_of_X), equal(self.q(X), self.q_of_X))
-        return equation(number, title, line, statement, extract=extract, where=self.where)
+        return equation(number, both(*self._polynomials), where=self.where)
 
-    def entry(self, number: str, title: str, line: int, left: Term, right: Any, extract: str, **rest: Any) -> Entry:
+    def each_polynomial(self, *numbers: str) -> tuple[Entry, ...]:
+        """Return an entry about p_n and one about q_n."""
+        return tuple(map(self.equation, numbers, self._polynomials))
+
+    @property
+    def _polynomials(self) -> tuple[Term, Term]:
+        return equal(self.p(X), self.p_of_X), equal(self.q(X), self.q_of_X)
+
+    def equation(self, number: str, statement: Term, **rest: Any) -> Entry:
         """Return the entry about a formula at this order."""
-        return equation(number, f"{title}, n = {self.n}", line, equal(left, right), extract=extract, where=self.where,
-                        **rest)
+        return equation(number, statement, where=self.where, **rest)
 
-    def quaternion(self, number: str, line: int, extract: str, **rest: Any) -> Entry:
+    def quaternion(self, number: str) -> Entry:
         """Return the entry about the unit dual quaternion."""
-        return self.entry(number, "unit dual quaternion", line, pm(q_hat), self.q_hat_of_v, extract, **rest)
+        return self.equation(number, equal(pm(q_hat), self.q_hat_of_v))
 
-    def tensor(self, number: str, line: int, extract: str) -> Entry:
+    def tensor(self, number: str) -> Entry:
         """Return the entry about the orthogonal dual tensor."""
-        return self.entry(number, "orthogonal dual tensor", line, R, self.R_of_v, extract)
+        return self.equation(number, equal(R, self.R_of_v))
 
-    def vector(self, slug: str, line: int) -> Entry:
+    def vector(self, number: str) -> Entry:
         """Return the entry about the Rodrigues dual vector on the principal branch."""
         angle = alpha / (2 * self.n)
-        return equation(f"{slug}-{self.n}-vector", f"vector, n = {self.n}", line, equal(v, tan(angle) * u),
-                        extract=f"v _ = t a n α _ {2 * self.n} u _", where=self.preimage, condition=finite(angle))
+        return equation(number, equal(v, tan(angle) * u), where=self.preimage, condition=finite(angle))
+
+    def vectors(self, number: str) -> Entry:
+        """Return the entry about the Rodrigues dual vectors of all branches."""
+        n, angle = self.n, (alpha + 2 * k * pi) / (2 * self.n)
+        statement = remark(equal(v, tan(angle) * u), words(rf"k = \overline{{0,{n - 1}}}", f"k=0,{n - 1}"))
+        return equation(number, statement, where=self.preimage, condition=finite(angle), branches=n)
 
 
 p3, p4, p5 = 1 - 3 * x, 1 - 6 * x + x2, 1 - 10 * x + 5 * x2
@@ -68,28 +79,13 @@ power_k = (1 + norm(v_k)**2)**n
 ON_BRANCH = (*SCREW, let(v_k, cayley_maps.branch, n, k, alpha, u))
 
 ENTRIES = (
-    o1.polynomials("list-1-polynomials", "p and q, n = 1", 271, "p 1 X = 1 ; q 1 X = 1"),
-    o1.quaternion("list-1-quaternion", 271, "± q ^ _ = 1 1 + v _ 2 1 + v _"),
-    o2.polynomials("list-2-polynomials", "p and q, n = 2", 272, "p 2 X = 1 X 2 ; q 2 ( X ) = 2"),
-    o2.quaternion("list-2-quaternion", 272, "± q ^ _ = 1 1 + v _ 2 1 v _ 2 + 2 v _"),
-    o3.polynomials("list-3-polynomials", "p and q, n = 3", 273, "p 3 X = 1 3 X 2 ; q 3 ( X ) = 3 X 2"),
-    o3.quaternion("list-3-quaternion", 273, "± q ^ _ = 1 1 + v _ 2 3 1 3 v _ 2 + 3 v _ 2 v _"),
-    o4.polynomials("list-4-polynomials", "p and q, n = 4", 274, "p 4 X = 1 6 X 2 + X 4 ; q 4 ( X ) = 4 4 X 2"),
-    o4.quaternion("list-4-quaternion", 274, "± q ^ _ = 1 1 + v _ 2 2 1 6 v _ 2 + v _ 4 + 4 1 v _ 2 v _"),
-    o5.polynomials("list-5-polynomials", "p and q, n = 5", 275,
-                   "p 5 X = 1 10 X 2 + 5 X 4 ; q 5 ( X ) = 5 10 X 2 + X 4"),
-    o5.quaternion("list-5-quaternion", 275, "± q ^ _ = 1 1 + v _ 2 5 1 10 v _ 2 + 5 v _ 4 + 5 10 v _ 2 + v _ 4 v _"),
-    *(order.vector("list", 270 + order.n) for order in ORDERS),
-    equation("list-shadows", "the equations hold for shadows too", 276,
-             equal(pm(q_hat), 1 / root(power_k) * (p(norm(v_k)) + q(norm(v_k)) * v_k)), where=ON_BRANCH,
+    *(entry for o in ORDERS
+      for entry in (o.polynomials(f"list-{o.n}-polynomials"), o.quaternion(f"list-{o.n}-quaternion"))),
+    *(o.vector(f"list-{o.n}-vector") for o in ORDERS),
+    equation("list-shadows", equal(pm(q_hat), 1 / root(power_k) * (p(norm(v_k)) + q(norm(v_k)) * v_k)), where=ON_BRANCH,
              condition=finite(turned)),
-    equation("tensor-shadows", "so do the tensors", 276, equal(R, rotation_by(norm(v_k), power_k, skew(v_k))),
-             where=ON_BRANCH, condition=finite(turned)),
-    o1.tensor("tensor-1", 281, "R _ = I _ + 2 1 + v _ 2 v ~ _ + v ~ _ 2"),
-    o2.tensor("tensor-2", 282, "R _ = I _ + 4 1 + v _ 2 2 1 v _ 2 v ~ _ + 2 v ~ _ 2"),
-    o3.tensor("tensor-3", 283, "R _ = I _ + 2 3 v _ 2 1 + v _ 2 3 1 3 v _ 2 v ~ _ + 3 v _ 2 v ~ _ 2"),
-    o4.tensor("tensor-4", 284, "R _ = I _ + 8 1 v _ 2 1 + v _ 2 4 1 6 v _ 2 + v _ 4 v ~ _ + 4 1 v _ 2 v ~ _ 2"),
-    o5.tensor("tensor-5", 285, "R _ = I _ + 2 5 10 v _ 2 + v _ 4 1 + v _ 2 5 1 10 v _ 2 + 5 v _ 4 v ~ _ + 5 10 v _ 2 "
-                               "+ v _ 4 v ~ _ 2"),
-    *(order.vector("tensor", 280 + order.n) for order in ORDERS),
+    equation("tensor-shadows", equal(R, rotation_by(norm(v_k), power_k, skew(v_k))), where=ON_BRANCH,
+             condition=finite(turned)),
+    *(o.tensor(f"tensor-{o.n}") for o in ORDERS),
+    *(o.vector(f"tensor-{o.n}-vector") for o in ORDERS),
 )

@@ -7,7 +7,7 @@ from ....maps.breusing import Breusing
 from ....maps.named import scaled, sine
 from ..definitions import cayley_maps, orders
 from . import *
-from .s07_general_order import *
+from .general_order import *
 from .s07c_parameterizations import W, xw
 
 alpha_vector = vector("α", r"\alpha")
@@ -32,52 +32,33 @@ R_by_w, R_corrected = rotation_by(norm(w), power, V), rotation_by(norm(w), power
 reachable = finite(alpha / (2 * n))
 
 FIRST = (
-    equation("normal-vector", "normal higher-order Rodrigues vector and its factor", 318,
-             both(equal(v, 2 * n * tan(alpha / (2 * n)) * u), equal(a(v), 2 * n)),
-             extract="v _ = 2 n t a n α _ 2 n u _ , a v _ = 2 n", where=NORMAL, condition=reachable),
-    equation("normal-quaternion", "its unit dual quaternion", 319, equal(pm(q_hat), 1 / root(power) * (pw + qw * v)),
-             extract="± q _ ^ = 1 1 + w _ 2 n p n w _ + q n w _ v _", where=NORMAL, condition=reachable,
-             corrected=equal(pm(q_hat), 1 / root(power) * (pw + qw * w)),
-             remark="The vector part is along w = v/2n, not v."),
-    equation("normal-w", "its vector w", 319, equal(w, v / (2 * n)), extract="w _ = v _ 2 n", where=NORMAL,
+    equation("normal-vector", both(equal(v, 2 * n * tan(alpha / (2 * n)) * u), equal(a(v), 2 * n)), where=NORMAL,
              condition=reachable),
-    equation("normal-tensor", "its orthogonal dual tensor", 320, equal(R, R_by_w),
-             extract="R _ = I _ + 2 p n w _ q n w _ 1 + w _ 2 n v ~ _ + 2 q n 2 w _ 1 + w _ 2 n v ~ _ 2", where=NORMAL,
-             condition=reachable, corrected=equal(R, R_corrected), remark="Both terms hold w = v/2n, not v."),
-    equation("limit-quaternion", "limit of the quaternion", 322,
-             equal(limit(n, (2 * n + v)**n / root((4 * n**2 + x)**n)), exp(alpha_vector / 2)),
-             extract="lim n 2 n + v _ n 4 n 2 + v _ 2 n = e x p α _ 2", where=NORMAL,
-             remark="v = 2n tan(α/2n) u changes with n, and the sequence is constant where n > |Re α|/π."),
-    equation("limit-tensor", "limit of the tensor", 323, equal(limit(n, R_by_w), exp(skew(alpha_vector))),
-             extract="lim n I _ + 2 p n w _ q n w _ 1 + w _ 2 n v ~ _ + 2 q n 2 w _ 1 + w _ 2 n v ~ _ 2 = e x p α ~ _",
-             where=NORMAL, corrected=equal(limit(n, R_corrected), exp(skew(alpha_vector))),
-             remark="As printed the terms grow with n."),
+    equation("normal-quaternion", equal(pm(q_hat), 1 / root(power) * (pw + qw * v)), where=NORMAL, condition=reachable,
+             corrected=equal(pm(q_hat), 1 / root(power) * (pw + qw * w))),
+    equation("normal-w", equal(w, v / (2 * n)), where=NORMAL, condition=reachable),
+    equation("normal-tensor", equal(R, R_by_w), where=NORMAL, condition=reachable, corrected=equal(R, R_corrected)),
+    equation("limit-quaternion", equal(limit(n, (2 * n + v)**n / root((4 * n**2 + x)**n)), exp(alpha_vector / 2)),
+             where=NORMAL),
+    equation("limit-tensor", equal(limit(n, R_by_w), exp(skew(alpha_vector))), where=NORMAL,
+             corrected=equal(limit(n, R_corrected), exp(skew(alpha_vector)))),
 )
 
 forward_2, forward_4, forward_n = (positive(Re(cos(alpha / m))) for m in (2, 4, 2 * n))
 ORTHOGRAPHIC = family(cayley_maps.member(sine(1)), one)
 LAMBERT = family(cayley_maps.member(sine(2)), two)
 SECOND = (
-    equation("orthographic-vector", "orthographic projection and its factor", 325,
-             both(equal(v, sin(alpha / 2) * u), equal(a(v), root(1 - x))),
-             extract="v _ = s i n α _ 2 u _ , a v _ = 1 v _ 2", where=ORTHOGRAPHIC, condition=forward_2),
-    equation("orthographic-quaternion", "its unit dual quaternion", 326, equal(pm(q_of(v)), root(1 - x) + v),
-             extract="± q _ ^ v _ = 1 v _ 2 + v _", where=ORTHOGRAPHIC, condition=forward_2,
-             remark="v is the vector part alone; beyond a half turn the scalar part has the other sign."),
-    equation("orthographic-tensor", "its orthogonal dual tensor", 327,
-             equal(R_of(v), I + 2 * root(1 - x) * V + 2 * V**2),
-             extract="R _ v _ = I _ + 2 1 v _ 2 v ~ _ + 2 v ~ _ 2", where=ORTHOGRAPHIC, condition=forward_2),
-    equation("lambert-vector", "Lambert parameters and their factor", 329,
-             both(equal(v, sin(alpha / 4) * u), equal(a(v), root(1 - x))),
-             extract="v _ = s i n α _ 4 u _ , a v _ = 1 v _ 2", where=LAMBERT, condition=forward_4),
-    equation("lambert-quaternion", "their unit dual quaternion", 330,
-             equal(pm(q_of(v)), 1 - 2 * x + 2 * root(1 - x) * v),
-             extract="± q _ ^ v _ = 1 2 v _ 2 + 2 1 v _ 2 v _", where=LAMBERT, condition=forward_4),
-    equation("lambert-tensor", "their orthogonal dual tensor", 331,
-             equal(R_of(v), I + 4 * root(1 - x) * (1 - x) * V + 8 * (1 - x) * V**2),
-             extract="R _ v _ = I _ + 4 1 v _ 2 1 v _ 2 v ~ _ + 8 1 v _ 2 v ~ _ 2", where=LAMBERT, condition=forward_4,
-             corrected=equal(R_of(v), I + 4 * root(1 - x) * (1 - 2 * x) * V + 8 * (1 - x) * V**2),
-             remark="The factor of ṽ holds cos(α/2), which is 1 − 2|v|², not 1 − |v|²."),
+    equation("orthographic-vector", both(equal(v, sin(alpha / 2) * u), equal(a(v), root(1 - x))), where=ORTHOGRAPHIC,
+             condition=forward_2),
+    equation("orthographic-quaternion", equal(pm(q_of(v)), root(1 - x) + v), where=ORTHOGRAPHIC, condition=forward_2),
+    equation("orthographic-tensor", equal(R_of(v), I + 2 * root(1 - x) * V + 2 * V**2), where=ORTHOGRAPHIC,
+             condition=forward_2),
+    equation("lambert-vector", both(equal(v, sin(alpha / 4) * u), equal(a(v), root(1 - x))), where=LAMBERT,
+             condition=forward_4),
+    equation("lambert-quaternion", equal(pm(q_of(v)), 1 - 2 * x + 2 * root(1 - x) * v), where=LAMBERT,
+             condition=forward_4),
+    equation("lambert-tensor", equal(R_of(v), I + 4 * root(1 - x) * (1 - x) * V + 8 * (1 - x) * V**2), where=LAMBERT,
+             condition=forward_4, corrected=equal(R_of(v), I + 4 * root(1 - x) * (1 - 2 * x) * V + 8 * (1 - x) * V**2)),
 )
 
 w_two = vector("w of order 2", "w", "w")
@@ -90,46 +71,37 @@ ANY_FACTOR = (two, let(a, cayley_maps.constant, a_value),
               let(R_of, cayley_maps.function_of(cayley_maps.modified_tensor), two.symbol, a_value, v))
 factor = equal(a(v), root((root(4 + norm(v) ** 4) - x) / 2))
 FOURTH = (
-    equation("breusing-vector", "Breusing parameters and their factor", 333,
+    equation("breusing-vector",
              (Reading(both(equal(v, root(tan(alpha / 4) * cot(alpha / 4)) * u), factor), "root of the product"),
               Reading(both(equal(v, tan(alpha / 4) * cot(alpha / 4) * u), factor), "product without a root")),
-             extract="v _ = t a n α _ 4 c o t α _ 4 u _ , a v _ = 4 + v _ 4 v _ 2 2", where=BREUSING,
-             condition=forward_4, corrected=both(equal(v, sin(alpha / 4) / root(cos(alpha / 4)) * u), factor),
+             where=BREUSING, condition=forward_4,
+             corrected=both(equal(v, sin(alpha / 4) / root(cos(alpha / 4)) * u), factor),
              because=both(equal(c * x_breusing, 1 - c**2), equal(4 + x_breusing**2, (x_breusing + 2 * c)**2),
                           equal(cos(alpha / 4) * tan(alpha / 4), sin(alpha / 4)), equal(w_two, tan(alpha / 4) * u),
                           equal(image_two, screw)),
-             argument="the remark",
-             remark="For 0 < Re α < 2π it is √(tan(α/4) sin(α/4)) u, the geometric mean; tan · cot = 1. With "
-             "c = cos(α/4) > 0 and x = |v|² = (1 − c²)/c the inner root is x + 2c, for its square is 4 + x² and it is "
-             "c + 1/c > 0; so a² = c and v/a = sin(α/4)/c u = tan(α/4) u, whose Cayley map of order 2 is q."),
-    equation("breusing-quaternion", "their unit dual quaternion", 334,
-             equal(pm(q_of(v)), ((a**2)(v) - x) / (a(v)**2 + x) + 2 * a(v) / (a(v)**2 + x) * v),
-             extract="± q _ ^ v _ = a 2 v _ v _ 2 a v _ 2 + v _ 2 + 2 a v _ a v _ 2 + v _ 2 v _", where=ANY_FACTOR,
-             remark="For every a(v)."),
-    equation("breusing-tensor", "their orthogonal dual tensor", 335,
-             equal(R_of(v), I + 4 * a(v) * ((a**2)(v) - x) / (a(v)**2 + x)**2 * V
-                   + 8 * (a**2)(v) / (a(v)**2 + x)**2 * V**2),
-             extract="R _ v _ = I _ + 4 a v _ a 2 v _ v _ 2 a v _ 2 + v _ 2 2 v ~ _ + 8 a 2 v _ a v _ 2 "
-             "+ v _ 2 2 v ~ _ 2", where=ANY_FACTOR, remark="For every a(v)."),
+             argument="the remark"),
+    equation("breusing-quaternion", equal(pm(q_of(v)), ((a**2)(v) - x) / (a(v)**2 + x) + 2 * a(v) / (a(v)**2 + x) * v),
+             where=ANY_FACTOR),
+    equation("breusing-tensor",
+             equal(R_of(v),
+                   I + 4 * a(v) * ((a**2)(v) - x) / (a(v)**2 + x)**2 * V + 8 * (a**2)(v) / (a(v)**2 + x)**2 * V**2),
+             where=ANY_FACTOR),
 )
 
 SINES = (
     *family(cayley_maps.at_fraction(sine), None), let(P, cayley_maps.powers(0), n), let(Q, cayley_maps.powers(1), n),
 )
 FIFTH = (
-    equation("sine-vector", "sine family and its factor", 337,
-             both(equal(v, sin(alpha / (2 * n)) * u), equal(a(v), root(1 - x))),
-             extract="v _ = s i n α _ 2 n u _ ; a v _ = 1 v _ 2", where=SINES, condition=forward_n),
-    equation("sine-quaternion", "its unit dual quaternion", 338,
-             equal(pm(q_of(v)), (root(1 - x) + v)**n, P(norm(v)) + Q(norm(v)) * v),
-             extract="± q _ ^ v _ = 1 v _ 2 + v _ n = P n v _ + Q n v _ v _", where=SINES, condition=forward_n),
-    equation("sine-tensor", "its orthogonal dual tensor", 339,
-             equal(R_of(v), I + 2 * P(norm(v)) * Q(norm(v)) * V + 2 * (Q**2)(norm(v)) * V**2),
-             extract="R _ v _ = I _ + 2 P n v _ Q n v _ v ~ _ + 2 Q n 2 v _ v ~ _ 2", where=SINES, condition=forward_n),
-    equation("sine-P", "P_n by p_n", 340, equal(P(norm(v)), root((1 - x)**n) * p(norm(v) / root(1 - x))),
-             extract="P n v _ = 1 v _ 2 n p n v _ 1 v _ 2", where=SINES, condition=nonzero(Re(1 - x))),
-    equation("sine-Q", "Q_n by q_n", 340, equal(Q(norm(v)), root((1 - x)**(n - 1)) * q(norm(v) / root(1 - x))),
-             extract="Q n v _ = 1 v _ 2 n 1 q n v _ 1 v _ 2", where=SINES, condition=nonzero(Re(1 - x))),
+    equation("sine-vector", both(equal(v, sin(alpha / (2 * n)) * u), equal(a(v), root(1 - x))), where=SINES,
+             condition=forward_n),
+    equation("sine-quaternion", equal(pm(q_of(v)), (root(1 - x) + v)**n, P(norm(v)) + Q(norm(v)) * v), where=SINES,
+             condition=forward_n),
+    equation("sine-tensor", equal(R_of(v), I + 2 * P(norm(v)) * Q(norm(v)) * V + 2 * (Q**2)(norm(v)) * V**2),
+             where=SINES, condition=forward_n),
+    equation("sine-P", equal(P(norm(v)), root((1 - x)**n) * p(norm(v) / root(1 - x))), where=SINES,
+             condition=nonzero(Re(1 - x))),
+    equation("sine-Q", equal(Q(norm(v)), root((1 - x)**(n - 1)) * q(norm(v) / root(1 - x))), where=SINES,
+             condition=nonzero(Re(1 - x))),
 )
 
 ENTRIES = (*FIRST, *SECOND, *FOURTH, *FIFTH)

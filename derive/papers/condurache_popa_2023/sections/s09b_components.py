@@ -1,8 +1,8 @@
 """Section 9, components of the Rodrigues dual vector, and claims about (92)-(98): lines 457-465."""
 
 from . import *
+from .general_order import *
 from .s03_rigid_motion import angle, shift
-from .s07_general_order import *
 from .s07b_order_lists import o1
 
 b_ = Symbol("b", "dual vector", r"\underline{\mathbf{b}}", "b")
@@ -25,14 +25,10 @@ def _components(i: int) -> tuple[Entry, Entry]:
     where = (*PARTS, *(let(symbol, component_of(i), vector) for symbol, vector in whole))
     square = 1 + tan(angle / 2) ** 2
     return (
-        equation(str(125 + i), f"Rodrigues parameter {i}", 458 + i, equal(b_i, tan(angle / 2) * u_i),
-                 extract=f"b {i} = t a n α 2 u {i}", where=where, condition=finite(angle / 2), components=True),
-        equation(str(128 + i), f"dual part of Rodrigues parameter {i}", 461 + i,
-                 equal(b0_i, shift * bracket(square) * u0_i),
-                 extract=f"b {i} 0 = d [ 1 + ( t a n α 2 ) 2 ] u {i} 0", where=where, condition=finite(angle / 2),
-                 components=True,
-                 remark="Contradicts (92): the dual part of tan(α/2) u has a term along u and a factor 1/2.",
-                 corrected=equal(b0_i, half * shift * bracket(square) * u_i + tan(angle / 2) * u0_i)),
+        equation(str(125 + i), equal(b_i, tan(angle / 2) * u_i), where=where, condition=finite(angle / 2),
+                 components=True),
+        equation(str(128 + i), equal(b0_i, shift * bracket(square) * u0_i), where=where, condition=finite(angle / 2),
+                 components=True, corrected=equal(b0_i, half * shift * bracket(square) * u_i + tan(angle / 2) * u0_i)),
     )
 
 
@@ -41,14 +37,10 @@ square = 1 + tan(angle / 2) ** 2
 ENTRIES = (
     *(real for real, _ in pairs),
     *(dual for _, dual in pairs),
-    equation("six-equations", "(92) contains (126) to (131)", 465,
-             both(equal(b_re, tan(angle / 2) * u_re), equal(b_du, shift * bracket(square) * u_du)), where=PARTS,
-             condition=finite(angle / 2), said="compacted succinctly includes all six equations presented in [54].",
+    equation("six-equations", both(equal(b_re, tan(angle / 2) * u_re), equal(b_du, shift * bracket(square) * u_du)),
+             where=PARTS, condition=finite(angle / 2),
              corrected=both(equal(b_re, tan(angle / 2) * u_re),
                             equal(b_du, half * shift * bracket(square) * u_re + tan(angle / 2) * u_du))),
-    equation("nature-of-95-to-98", "what (95) and (96) are, in this order", 465,
-             both(orthogonal(q_hat), unit_quaternion(R)), where=o1.where,
-             said="Equations (95)–(98) present, respectively, the dual orthogonal tensor, dual quaternion",
-             corrected=both(unit_quaternion(q_hat), orthogonal(R)),
-             remark="Named in the order tensor, quaternion; (95) is the quaternion and (96) the tensor."),
+    equation("nature-of-95-to-98", both(orthogonal(q_hat), unit_quaternion(R)), where=o1.where,
+             corrected=both(unit_quaternion(q_hat), orthogonal(R))),
 )

@@ -11,7 +11,8 @@ from derive.papers.condurache_popa_2023.cp23_notation import is_algebraic
 from derive.papers.language import values
 from derive.papers.language.common_definitions import condition
 from derive.papers.language.environment import Env
-from derive.papers.language.operator_table import Re, cos, epsilon, equal, exp, implies, nonzero, norm, sin, tan, tan2
+from derive.papers.language.matrices import exp
+from derive.papers.language.operator_table import Re, cos, epsilon, equal, implies, nonzero, norm, sin, tan, tan2
 from derive.papers.language.printed import Apply, Symbol, Trait, latex, shown_as, symbols, takes_apart, text, with_trait
 from derive.papers.numbers.balls import Balls
 from derive.papers.numbers.kinds import KINDS

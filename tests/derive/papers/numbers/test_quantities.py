@@ -7,15 +7,14 @@ from itertools import product
 
 import pytest
 
-from derive.algebra import Dual, Quaternion, Tensor, Vector, real_part
-from derive.papers.claim import Claim, Place
+from derive.algebra import Dual, Quaternion, Structure, Tensor, Vector, dual_part, real_part
+from derive.papers.deciding.claim import Claim, Place
 from derive.papers.equation import equation
 from derive.papers.language.operator_table import equal
 from derive.papers.language.printed import Symbol
 from derive.papers.numbers.balls import Ball, Balls, arb, precision
-from derive.papers.numbers.build import polynomial, sphere
 from derive.papers.numbers.generic import Generic
-from derive.papers.numbers.kinds import KINDS, special
+from derive.papers.numbers.kinds import KINDS, polynomial, special, sphere
 from derive.papers.numbers.quantities import QUANTITIES
 
 EXACT = [quantity for quantity in QUANTITIES.values() if quantity.exact is not None]
@@ -25,7 +24,7 @@ IN_PYTHON = [name for name, kind in KINDS.items() if QUANTITIES[name].exact and 
 def at_special(name: str, label: str):
     """Return the value of a letter at special coordinates."""
     letter = Symbol("a", name)
-    claim = Claim(equation("1", "", 1, equal(letter, letter)), equal(letter, letter))
+    claim = Claim(equation("1", equal(letter, letter)), equal(letter, letter))
     return claim.value(letter, Place("", {letter: special(KINDS[name])[label]}))
 
 
@@ -36,6 +35,13 @@ def test_generic_value_is_of_the_type_of_values_at_points(quantity, dual: bool) 
     value = Generic([symbol], dual, moving=False).values[symbol]
     built = KINDS[quantity.name].build([Fraction(1, k) for k in range(1, KINDS[quantity.name].size + 1)])
     assert all(hasattr(value, part) == hasattr(built, part) for part in ("norm2", "dot", "rows"))
+
+
+@pytest.mark.parametrize("name", [name for name, kind in KINDS.items() if kind.dual])
+def test_generic_values_of_dual_kinds_are_dual_without_a_frame(name: str) -> None:
+    symbol = Symbol("a", name)
+    value = Generic([symbol], True, moving=0, framed=False).values[symbol]
+    assert any(dual_part(c) != 0 for c in (value if isinstance(value, Structure) else [value]))
 
 
 def test_every_quantity_with_a_generic_value_has_coordinates() -> None:
@@ -101,7 +107,7 @@ def test_exact_values_have_the_declared_number_of_symbols() -> None:
 def test_projected_points_lie_on_the_sphere() -> None:
     numbers = [Dual(Fraction(re), Fraction(du)) for re, du in (("2", "5"), ("0.3", "-1"), ("0", "1"))]
     for s, t in product(numbers, repeat=2):
-        u = sphere(s, t)
+        u = sphere((1, s, t))
         assert u.dot(u) == Dual(1, 0)
         for side, c in ((s, u.c1), (t, u.c2)):  # stereographic projection from (0, 0, −1)
             assert side * (1 + u.c3) == c

@@ -24,7 +24,7 @@ SOURCE = "derive/papers/condurache_popa_2023/sections/s09a_explicit_orders.py"
 
 def entry(number: str = "7", **rest: object) -> Entry:
     given = {"extract": "a = b", "said": "words", "remark": "A sign is missing. More.", "source": SOURCE, **rest}
-    return equation(number, "title", 3, equal(a, b), **given)
+    return equation(number, equal(a, b), title="title", line=3, **given)
 
 
 def result(status: Status = Status.HOLDS, number: str = "7", **rest: object) -> Result:
@@ -35,7 +35,7 @@ def result(status: Status = Status.HOLDS, number: str = "7", **rest: object) -> 
     return Result(PAPERS[0].slug, entry(number, **rest), status, "exact", **given)
 
 
-ERRATUM = result(Status.ERRATUM, corrected=equal(a, -b), claimed=nonzero(a), stated=(2, "for a ≠ 0"))
+ERRATUM = result(Status.ERRATUM, corrected=equal(a, -b), claimed=nonzero(a), stated="for a ≠ 0")
 IF = result(Status.HOLDS_IF, condition=nonzero(Re(b)), corrected=None, exact=True)
 
 

@@ -10,13 +10,13 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from typing import Any
 
-from ..algebra import Quaternion, Structure, Tensor, Vector, matrix
+from ...algebra import Quaternion, Structure, Tensor, Vector, matrix
+from ..language.operator_table import cos, sin
+from ..language.printed import Apply, Number, Symbol, Term, symbols, walk
+from ..numbers.balls import BlurredError, arb
+from ..numbers.fields import innermost
+from ..numbers.quantities import ORDER, SIGN
 from .claim import Claim, Place, kind
-from .language.operator_table import cos, sin
-from .language.printed import Apply, Number, Symbol, Term, symbols, walk
-from .numbers.balls import BlurredError, arb
-from .numbers.fields import innermost
-from .numbers.quantities import ORDER, SIGN
 
 ORDERED = frozenset(("less", "at most", "greater", "at least", "unlike"))
 """Operators of inequalities."""

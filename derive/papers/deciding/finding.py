@@ -12,16 +12,16 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, field, replace
 
-from ..algebra.element import NotExactError
-from ..algebra.mixed import MeaninglessError
+from ...algebra.element import NotExactError
+from ...algebra.mixed import MeaninglessError
+from ..language.printed import Term, Trait, with_trait
+from ..numbers.balls import BlurredError
+from ..result import Status
 from .claim import Claim, Place, RefusedError, operators
 from .conditions import exclusions, plain
-from .language.printed import Term, Trait, with_trait
-from .numbers.balls import BlurredError
 from .places import Probe, places
 from .proof import ContradictionError, proved
 from .regions import REGION_MIN, Region, branched, region
-from .result import Status
 from .sharp import is_sharp
 from .singular import ORDERED
 

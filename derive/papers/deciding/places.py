@@ -11,16 +11,16 @@ from functools import cached_property
 from itertools import chain, combinations, islice
 from typing import Any
 
-from ..algebra import Vector
+from ...algebra import Vector
+from ..language.printed import Symbol, Term, symbols
+from ..language.written import written
+from ..numbers.balls import BlurredError
+from ..numbers.kinds import Kind, Numbers, special
+from ..numbers.quantities import ORDER, SIGN
 from .claim import Claim, Place, kind, operators
 from .constrained import onto, touching
-from .language.printed import Symbol, Term, symbols
-from .language.written import written
-from .numbers.balls import BlurredError
-from .numbers.kinds import Kind, Numbers, special
-from .numbers.quantities import ORDER, SIGN
 from .singular import ABSENT, ORDERED, Singular, bare, is_integer, singular, size
-from .zeros import Line, at_integers, crossed
+from .zeros import Line, at_integers, crossed, lines
 
 SHORT = tuple(map(Fraction, (1, 2, -1, 3, -2)))
 """Numbers of the first points, so that counterexamples are short."""
@@ -228,7 +228,7 @@ class Probe:
                 continue  # such parts are slow
             for letter in letters:
                 if letter in self.claim.coordinates:
-                    for line in islice(self.lines(letter), None if self.fixed is None else 1):
+                    for line in islice(self._lines(letter), None if self.fixed is None else 1):
                         roots, places = line.places(part, brief=self.fixed is not None)
                         self.roots.setdefault((part.part, letter), roots)
                         yield from places
@@ -278,7 +278,7 @@ class Probe:
 
     def roots_along(self, part: Term, letter: Symbol) -> tuple[str, list[float]] | None:
         """Return the name of a letter's value and the values at which a part vanishes, if they are those of a line."""
-        line, part = next(self.lines(letter), None), bare(part)
+        line, part = next(self._lines(letter), None), bare(part)
         if line is None or not (line.radial or kind(letter).size == 1):
             return None
         found = line.roots(Singular(part, size))
@@ -286,16 +286,8 @@ class Probe:
         alike = len(known) == len(found) and all(abs(a - b) < 1e-9 for a, b in zip(known, found))
         return (line.shown, found) if alike else None
 
-    def lines(self, letter: Symbol) -> Iterator[Line]:
-        """Yield lines of points: multiples of a vector, and a line through another point."""
-        row, at = kind(letter), self.drawn(0.5, 1.5)
-        if row.spread == "integer":
-            return
-        start = [Fraction(self.random.choice((-1, 1)) * self.random.randint(2, 9), 5) for _ in range(row.size)]
-        head, tail = ([0] * row.size, start) if row.size == 1 else (start, [*start[1:], start[0]])
-        if row.size in (3, 6) and not row.projective:
-            yield Line(self.claim, at, letter, [Fraction(0)] * row.size, start, row.size == 3)
-        yield Line(self.claim, at, letter, head, [Fraction(1)] if row.size == 1 else tail)
+    def _lines(self, letter: Symbol) -> Iterator[Line]:
+        return lines(self.claim, letter, self.drawn(0.5, 1.5), self.random)
 
 
 def places(claim: Claim) -> Iterator[Place]:

@@ -9,17 +9,16 @@ from fractions import Fraction
 from functools import cached_property
 from typing import Any
 
-from ..algebra import Dual, Structure
-from ..algebra.element import NotExactError
-from .equation import Entry
-from .language.environment import Env
-from .language.operator_table import both, epsilon, equal
-from .language.printed import Symbol, Term, Trait, rate_depth, symbols, walk, with_trait
-from .numbers.balls import PRECISIONS, Ball, Balls, BlurredError, arb, precision
-from .numbers.build import jet
-from .numbers.fields import Field
-from .numbers.kinds import KINDS, Kind, Numbers
-from .numbers.quantities import BRANCH, ORDER, SIGN
+from ...algebra import Dual, Structure
+from ...algebra.element import NotExactError
+from ..equation import Entry
+from ..language.environment import Env
+from ..language.operator_table import both, epsilon, equal
+from ..language.printed import Symbol, Term, Trait, rate_depth, symbols, walk, with_trait
+from ..numbers.balls import PRECISIONS, Ball, Balls, BlurredError, arb, precision
+from ..numbers.fields import Field
+from ..numbers.kinds import KINDS, Kind, Numbers, jet
+from ..numbers.quantities import BRANCH, ORDER, SIGN
 
 RATES_MAX = 2
 """Highest order of a time derivative for which letters have rates."""

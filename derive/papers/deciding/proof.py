@@ -7,15 +7,15 @@ from dataclasses import replace
 from math import lcm
 from typing import Any
 
-from ..algebra.element import NotExactError
+from ...algebra.element import NotExactError
+from ..language.environment import Env
+from ..language.operator_table import over
+from ..language.printed import Number, Symbol, Term, Trait, takes_apart, walk, with_trait
+from ..numbers.generic import Generic
+from ..numbers.ideal import Ideal
+from ..numbers.quantities import BRANCH, ORDER
 from .claim import Claim, operators
 from .constrained import gaps
-from .language.environment import Env
-from .language.operator_table import over
-from .language.printed import Number, Symbol, Term, Trait, takes_apart, walk, with_trait
-from .numbers.generic import Generic
-from .numbers.ideal import Ideal
-from .numbers.quantities import BRANCH, ORDER
 
 Pairs = list[tuple[Any, Any]]
 """Pairs of equal numbers in one exact field."""

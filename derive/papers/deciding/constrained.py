@@ -11,12 +11,12 @@ from fractions import Fraction
 from itertools import pairwise
 from typing import Any
 
+from ..language.environment import Env
+from ..language.printed import Term, Trait, symbols
+from ..language.values import add, coefficients, negative
+from ..numbers.balls import Ball, BlurredError, arb, flint, precision
+from ..numbers.kinds import Numbers
 from .claim import Claim, Place, kind
-from .language.environment import Env
-from .language.printed import Term, Trait, symbols
-from .language.values import add, coefficients, negative
-from .numbers.balls import Ball, BlurredError, arb, flint, precision
-from .numbers.kinds import Numbers
 
 BITS, STEPS_MAX = 512, 40
 """Bits of Newton's method, and its largest number of steps."""

@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from typing import Any
 
-from .language.calculus import BINDERS
-from .language.matrices import inverse, transpose
-from .language.operator_table import conjugate
-from .language.printed import Apply, Number, Symbol, Term, symbols
-from .language.written import written
+from ..language.calculus import BINDERS
+from ..language.matrices import inverse
+from ..language.operator_table import conjugate, transpose
+from ..language.printed import Apply, Number, Symbol, Term, symbols
+from ..language.written import written
 
 Change = tuple[int, str, str, Term]
 """Rank (simplest first), sort, words, and the changed claim or part."""
@@ -76,8 +76,8 @@ def _steps(node: Term, depth: int) -> Iterator[Change]:
         yield 0, "sign", f"sign of {written(arguments[0])}", arguments[0]
     if name in SWAPPED:
         yield 2, "swapped", f"{SWAPPED[name]} swapped in {shown}", Apply(name, *reversed(arguments))
-    if name in (transpose.name, inverse.name, "conjugate"):
-        yield 1, name.split()[0], f"no {name.split()[0]} of {written(arguments[0])}", arguments[0]
+    if name in ("transpose", "inverse", "conjugate"):
+        yield 1, name, f"no {name} of {written(arguments[0])}", arguments[0]
     for pair in _moved(node):
         yield 4, "bracket", f"bracket moved in {shown}", pair
     if isinstance(node, Number):
@@ -89,9 +89,8 @@ def _steps(node: Term, depth: int) -> Iterator[Change]:
     elif name not in RELATIONS:
         rank = 1 if depth == 0 or isinstance(node, Symbol) or name.startswith("call") else 2
         for later, sort, words, form in _WRAPPED:
-            if [sort] == name.split()[:1]:
-                continue  # its absence is another change
-            yield rank + later, sort, f"{words} {shown}", form(node)
+            if sort != name:  # its absence is another change
+                yield rank + later, sort, f"{words} {shown}", form(node)
 
 
 _WRAPPED: tuple[tuple[int, str, str, Callable[[Term], Any]], ...] = (

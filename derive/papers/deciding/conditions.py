@@ -6,16 +6,15 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 
-from ..algebra import Structure, Tensor
-from ..algebra.matrix import Matrix
+from ...algebra import Structure, Tensor
+from ...algebra.matrix import Matrix
+from ..language.environment import Env
+from ..language.operator_table import Re, cos, det, norm, sin, trace
+from ..language.printed import Number, Term, symbols
+from ..language.written import written
+from ..numbers.balls import BlurredError, precision
+from ..numbers.fields import innermost
 from .claim import Claim, Place, kind
-from .language.environment import Env
-from .language.matrices import det, trace
-from .language.operator_table import Re, cos, norm, sin
-from .language.printed import Number, Term, symbols
-from .language.written import written
-from .numbers.balls import BlurredError, precision
-from .numbers.fields import innermost
 from .places import Probe
 from .singular import size
 from .zeros import named

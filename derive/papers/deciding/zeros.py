@@ -8,16 +8,17 @@ from fractions import Fraction
 from functools import cached_property, partial
 from itertools import pairwise
 from math import pi
+from random import Random
 from typing import Any
 
+from ..language.environment import Env
+from ..language.operator_table import Re, norm
+from ..language.printed import Symbol
+from ..language.written import written
+from ..numbers.balls import Ball, arb, flint, precision
+from ..numbers.kinds import Numbers
+from ..numbers.quantities import ORDER
 from .claim import Claim, Place, kind
-from .language.environment import Env
-from .language.operator_table import Re, norm
-from .language.printed import Symbol
-from .language.written import written
-from .numbers.balls import Ball, arb, flint, precision
-from .numbers.kinds import Numbers
-from .numbers.quantities import ORDER
 from .singular import ABSENT, Singular, plain_in
 
 FAR = tuple(map(Fraction, (30, 100, 1000, 10**4, 10**6, 10**12, 10**24)))
@@ -112,6 +113,18 @@ class Line:
             for t, u in pairwise(sorted(roots, key=float)):
                 found.append(Place(f"{self.shown} between zeros", self.point((Ball(t) + Ball(u)) / 2)))
         return list(map(float, roots)), found
+
+
+def lines(claim: Claim, letter: Symbol, at: dict[Symbol, Any], source: Random) -> Iterator[Line]:
+    """Yield lines of points of a letter: multiples of a vector, and a line through another point."""
+    row = kind(letter)
+    if row.spread == "integer":
+        return
+    start = [Fraction(source.choice((-1, 1)) * source.randint(2, 9), 5) for _ in range(row.size)]
+    head, tail = ([0] * row.size, start) if row.size == 1 else (start, [*start[1:], start[0]])
+    if row.size in (3, 6) and not row.projective:
+        yield Line(claim, at, letter, [Fraction(0)] * row.size, start, row.size == 3)
+    yield Line(claim, at, letter, head, [Fraction(1)] if row.size == 1 else tail)
 
 
 def _brackets(

@@ -6,11 +6,11 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from itertools import islice
 
+from ..language.printed import Symbol
+from ..language.written import written
+from ..numbers.balls import BlurredError
 from .changes import CANDIDATES_MAX, changes, signs_and_coefficients
 from .claim import Claim, Place, kind
-from .language.printed import Symbol
-from .language.written import written
-from .numbers.balls import BlurredError
 from .places import Probe
 
 CHANGES_MAX, SAMPLE = 3, 6

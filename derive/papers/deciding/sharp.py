@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from .language.operator_table import Re, cos, det, nonzero, over, remark, sin
-from .language.printed import Number, Term, Trait
+from ..language.operator_table import Re, cos, det, nonzero, over, remark, sin
+from ..language.printed import Number, Term, Trait
 
 
 def is_sharp(condition: Term, statement: Term) -> bool:

@@ -7,15 +7,15 @@ from fractions import Fraction
 from itertools import pairwise
 from typing import Any
 
-from ..algebra.element import Element
+from ...algebra.element import Element
+from ..language import operator_table
+from ..language.environment import Env
+from ..language.printed import Term, Trait, latex
+from ..language.values import Either, coefficients, equal
+from ..numbers.balls import Ball, precision
+from ..numbers.fields import Exact
+from ..result import Counterexample
 from .claim import Claim, Place
-from .language import operator_table
-from .language.environment import Env
-from .language.printed import Term, Trait, latex
-from .language.values import Either, coefficients, equal
-from .numbers.balls import Ball, precision
-from .numbers.fields import Exact
-from .result import Counterexample
 
 
 def shown_at(claim: Claim, place: Place, words: str = "") -> Counterexample:
