@@ -75,6 +75,7 @@ def test_six_calls_share_the_text_of_one(charts, name, mode, monkeypatch):
     assert growth() > 4
 
 
+@pytest.mark.thorough
 def test_compiled_functions_multiply_about_as_often_as_their_programs(charts, monkeypatch):
     """Count products and quotients that XLA runs for two compositions; without stored values it repeats far more.
 
@@ -97,6 +98,7 @@ def test_compiled_functions_multiply_about_as_often_as_their_programs(charts, mo
     assert stored <= 1.5 < 2 < repeated
 
 
+@pytest.mark.thorough
 def test_layouts_types_and_transformations(charts):
     """Compare axis 0, broadcast batches, float32 (eps 2⁻²³), vmap and scan with the plain call."""
     module, (v2, v1, rate2, rate1) = charts("cayley3"), arguments()
