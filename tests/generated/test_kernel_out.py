@@ -44,7 +44,7 @@ LONG = [(name, 17_000) for name in ("pose", "from_pose", "compose", "transform_p
 def test_out_may_overlap_an_argument(name: str, axis: int, count: int) -> None:
     """Start ``out`` before, at or after the argument in memory; elements must be read before they are overwritten.
 
-    Long batches run in blocks, which do not depend on the function: a sample of sizes of arguments and results suffices.
+    Long batches run in blocks that do not depend on the function: a sample of sizes of arguments and results suffices.
     """
     kernel = load(3)
     arguments = [np.resize(a, (count, *a.shape[1:])) for a in inputs(kernel, name, 3, (min(count, 50),))]
