@@ -13,7 +13,14 @@ jax = pytest.importorskip("jax")
 OTHERS = (
     "between", "retract", "body_retract", "local", "body_local", "twist", "body_twist", "rate", "body_rate"
 )  # fmt: skip
-EVERY = pytest.mark.parametrize("name", ["compose", *(pytest.param(n, marks=pytest.mark.thorough) for n in OTHERS)])
+MODES = ("jacfwd", "jacrev")
+EVERY = pytest.mark.parametrize(
+    ("name", "mode"),
+    [
+        *(("compose", mode) for mode in MODES),
+        *(pytest.param(name, MODES[k % 2], marks=pytest.mark.thorough) for k, name in enumerate(OTHERS)),
+    ],
+)
 EPS = 2.0**-52
 
 
@@ -61,7 +68,6 @@ def chain(function, count):
 
 
 @EVERY
-@pytest.mark.parametrize("mode", ["jacfwd", "jacrev"])
 def test_six_calls_share_the_text_of_one(charts, name, mode, monkeypatch):
     """Allow twice the text of one call; without rules six calls take more than four times the text."""
     function, at = getattr(charts("cayley2"), name), [value[0] for value in arguments()[:2]]
