@@ -3,6 +3,8 @@
 PYTHON ?= python3
 VENV   := .venv
 RUN    := $(VENV)/bin/python
+# Hundreds of processes import the same modules; without their bytecode, each would compile them again.
+unexport PYTHONDONTWRITEBYTECODE
 # Empty files that say what is installed: packages to derive and generate; packages to test, lint and check types.
 READY  := $(VENV)/.ready
 TESTED := $(VENV)/.test
@@ -73,8 +75,8 @@ test-native: $(TESTED)  ## kernel tests on compiled functions of all committed c
 	DUALCAY_NATIVE=1 PYTHONPATH=$(CURDIR)/build/test-native/site $(PYTEST) -m "not thorough" tests/generated \
 	    --ignore tests/generated/test_sign_flips.py --ignore tests/generated/test_kernel_other_orders.py
 
-quick: $(TESTED)  ## lint, types and one smoke test per room, in half a minute
-	$(MAKE) --no-print-directory --jobs=3 types smoke lint
+quick: $(TESTED)  ## lint, types, stale kernels and one smoke test per room, in half a minute
+	$(MAKE) --no-print-directory --jobs=3 types smoke check-kernels lint
 
 smoke: $(TESTED)
 	$(PYTEST) -m smoke

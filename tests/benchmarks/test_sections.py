@@ -27,6 +27,7 @@ def test_section_on_propagate_has_a_row_for_each_case() -> None:
     assert all(float(rows[2][k].strip(" |")) < float(rows[0][k].strip(" |")) for k in (5, 6))
 
 
+@pytest.mark.thorough
 def test_section_on_compiling_has_a_line_with_and_without_rules(monkeypatch: pytest.MonkeyPatch) -> None:
     pytest.importorskip("jax")
     monkeypatch.setattr(compiling, "FAMILIES", ())

@@ -96,34 +96,36 @@ def test_comparison_is_a_table_with_figures() -> None:
         derive.compare(families=["nonsense"])
 
 
-s, t = sympy.symbols("s t")
-FORMULAS = {
-    r"\begin{bmatrix} \frac{1}{2} \\ t + s \\ 0 \end{bmatrix}": Vector(Fraction(1, 2), s + t, 0),
-    r"\begin{bmatrix} s \\ t \\ 0 \end{bmatrix} + \varepsilon \begin{bmatrix} 1 \\ 2 \\ 3 \end{bmatrix}":
-        Vector.dual((s, t, 0), (1, 2, 3)),
-    r"\begin{bmatrix} 0 & - t & s \\ t & 0 & -1 \\ - s & 1 & 0 \end{bmatrix}": Tensor.skew(Vector(1, s, t)),
-    r"\begin{bmatrix} s \\ 1 \\ 2 \\ 3 \end{bmatrix}": Quaternion(s, Vector(1, 2, 3)),
-    r"s + \varepsilon \left(t + s\right)": Dual(s, s + t),
-    r"\left(t + s\right) I - 2 \tilde{v}": Isotropic(s + t, -2, 0, s),
-    r"\left(s + \varepsilon t\right) I + 1 v \otimes v": Isotropic(Dual(s, t), 0, 1, s),
-    r"\text{(14)}\quad b_1^{*} = ": derive.verify("karakilic-2010", ["14"])[0].equation,
-    r"\text{false:}\quad b_1^{*} = ": derive.verify("karakilic-2010", ["14"])[0].verdicts[0],
-    theorems()[2].claim[0].latex: theorems()[2].claim[0],
-    r"\dot{R} = \tilde{\omega}\,R": derive.motion_equation("70"),
-    r"\dot{R} = R\,\tilde{\omega_B}": derive.motion_equation("74"),
-    r"\dot{\hat{q}} = \tfrac12 \omega\,\hat{q}": derive.motion_equation("75"),
-    r"\dot{\hat{q}} = \tfrac12 \hat{q}\,\omega_B": derive.motion_equation("76"),
-    r"\dot{v} = \mathrm{dcay}_{2}^{-1} \omega \qquad \mathrm{dcay}_{2}^{-1} = ": derive.motion_equation("90", 2),
-    r"\dot{v} = \left(T^{-1}\right)^T \omega_B \qquad T^{-1} = ": derive.motion_equation("85"),
-}  # fmt: skip
+def formulas() -> dict[str, Any]:
+    """Return values by the beginning of their LaTeX text."""
+    s, t = sympy.symbols("s t")
+    return {
+        r"\begin{bmatrix} \frac{1}{2} \\ t + s \\ 0 \end{bmatrix}": Vector(Fraction(1, 2), s + t, 0),
+        r"\begin{bmatrix} s \\ t \\ 0 \end{bmatrix} + \varepsilon \begin{bmatrix} 1 \\ 2 \\ 3 \end{bmatrix}":
+            Vector.dual((s, t, 0), (1, 2, 3)),
+        r"\begin{bmatrix} 0 & - t & s \\ t & 0 & -1 \\ - s & 1 & 0 \end{bmatrix}": Tensor.skew(Vector(1, s, t)),
+        r"\begin{bmatrix} s \\ 1 \\ 2 \\ 3 \end{bmatrix}": Quaternion(s, Vector(1, 2, 3)),
+        r"s + \varepsilon \left(t + s\right)": Dual(s, s + t),
+        r"\left(t + s\right) I - 2 \tilde{v}": Isotropic(s + t, -2, 0, s),
+        r"\left(s + \varepsilon t\right) I + 1 v \otimes v": Isotropic(Dual(s, t), 0, 1, s),
+        r"\text{(14)}\quad b_1^{*} = ": derive.verify("karakilic-2010", ["14"])[0].equation,
+        r"\text{false:}\quad b_1^{*} = ": derive.verify("karakilic-2010", ["14"])[0].verdicts[0],
+        theorems()[2].claim[0].latex: theorems()[2].claim[0],
+        r"\dot{R} = \tilde{\omega}\,R": derive.motion_equation("70"),
+        r"\dot{R} = R\,\tilde{\omega_B}": derive.motion_equation("74"),
+        r"\dot{\hat{q}} = \tfrac12 \omega\,\hat{q}": derive.motion_equation("75"),
+        r"\dot{\hat{q}} = \tfrac12 \hat{q}\,\omega_B": derive.motion_equation("76"),
+        r"\dot{v} = \mathrm{dcay}_{2}^{-1} \omega \qquad \mathrm{dcay}_{2}^{-1} = ": derive.motion_equation("90", 2),
+        r"\dot{v} = \left(T^{-1}\right)^T \omega_B \qquad T^{-1} = ": derive.motion_equation("85"),
+    }  # fmt: skip
 
 
-@pytest.mark.parametrize("latex", FORMULAS)
-def test_values_are_formulas_in_a_notebook(latex: str) -> None:
-    shown = FORMULAS[latex]._repr_latex_()
-    assert shown.startswith(rf"$\displaystyle {latex}")
-    assert shown.endswith("$")
-    assert shown.count("{") == shown.count("}")
+def test_values_are_formulas_in_a_notebook() -> None:
+    for latex, value in formulas().items():
+        shown = value._repr_latex_()
+        assert shown.startswith(rf"$\displaystyle {latex}")
+        assert shown.endswith("$")
+        assert shown.count("{") == shown.count("}")
 
 
 def test_less_than_sign_is_escaped() -> None:
@@ -132,13 +134,19 @@ def test_less_than_sign_is_escaped() -> None:
     assert set(re.findall(r"</?(\w+)", table)) == {"table", "tr", "th", "td"}
 
 
-N = sympy.Symbol("n", integer=True, positive=True)
-CHARTS: list[Any] = [
-    derive.Cayley(3), derive.Cayley(N), derive.Cayley(N + 1),
-    *map(derive.family, ("lambert", "breusing", "exponential", "scaled3", "sine7", "reduced_euler_rodrigues")),
-    *map(derive.Parameterization, ("alpha/(1 + alpha**2/40)", "alpha + alpha**3/100", "3*sin(alpha/6)/2")),
-]  # fmt: skip
-MAPS = [getattr(chart, name) for chart in CHARTS for name in ("quaternion", "tensor", "tangent", "tangent_inv")]
+@cache
+def charts() -> list[Any]:
+    n = sympy.Symbol("n", integer=True, positive=True)
+    return [
+        derive.Cayley(3), derive.Cayley(n), derive.Cayley(n + 1),
+        *map(derive.family, ("lambert", "breusing", "exponential", "scaled3", "sine7", "reduced_euler_rodrigues")),
+        *map(derive.Parameterization, ("alpha/(1 + alpha**2/40)", "alpha + alpha**3/100", "3*sin(alpha/6)/2")),
+    ]  # fmt: skip
+
+
+@cache
+def maps() -> list[Any]:
+    return [getattr(chart, name) for chart in charts() for name in ("quaternion", "tensor", "tangent", "tangent_inv")]
 
 
 @cache
@@ -159,14 +167,14 @@ COPIES: list[Callable[[Any], Any]] = [copy.copy, copy.deepcopy, lambda item: pic
 
 @pytest.mark.parametrize("copied", COPIES)
 def test_public_objects_are_copied_pickled_and_hashed(copied: Callable[[Any], Any]) -> None:
-    for item in (*CHARTS, *MAPS, *results()):
+    for item in (*charts(), *maps(), *results()):
         other = copied(item)
         assert type(other) is type(item)
         assert other == item
         assert hash(other) == hash(item)
         assert repr(other) == repr(item)
         assert sympy.latex(other) == sympy.latex(item)
-    for chart in CHARTS:
+    for chart in charts():
         assert copied(chart).tangent.coefficients == chart.tangent.coefficients
         assert callable(copied(chart).prove)
 
@@ -177,12 +185,12 @@ def test_failed_proof_keeps_its_failures_in_copies() -> None:
 
 
 def test_sympy_typesets_and_rebuilds_the_formulas() -> None:
-    entries = [chart.tangent.matrix(sympy.symbols("v1:7"))[1][1] for chart in CHARTS]
+    entries = [chart.tangent.matrix(sympy.symbols("v1:7"))[1][1] for chart in charts()]
     statements = [r.statement for paper in PAPERS for entry in paper.entries() for r in entry.readings]
-    for e in (*entries, *(c for formula in MAPS for c in formula.coefficients), *statements):
+    for e in (*entries, *(c for formula in maps() for c in formula.coefficients), *statements):
         for part in sympy.preorder_traversal(e):
             assert not part.args or part.func(*part.args) == part
-    assert sympy.latex(MAPS[0]) == MAPS[0].latex()
+    assert sympy.latex(maps()[0]) == maps()[0].latex()
     for item in results():
         if isinstance(item, Proof):
             assert isinstance(item.equation, sympy.Eq)
@@ -191,7 +199,7 @@ def test_sympy_typesets_and_rebuilds_the_formulas() -> None:
 
 
 def test_members_of_charts_have_docstrings() -> None:
-    kinds = {base for chart in CHARTS for base in type(chart).__mro__ if issubclass(base, Chart)}
+    kinds = {base for chart in charts() for base in type(chart).__mro__ if issubclass(base, Chart)}
     members = [(kind, name, member) for kind in kinds for name, member in vars(kind).items() if name[0] != "_"]
     described = (FunctionType, property, cached_property)
     assert [(k.__name__, name) for k, name, m in members if isinstance(m, described) and not m.__doc__] == []

@@ -5,7 +5,6 @@ from __future__ import annotations
 import importlib
 from collections.abc import Iterator
 from pathlib import Path
-from types import ModuleType
 
 import numpy as np
 import pytest
@@ -27,14 +26,9 @@ def folder(shared) -> Iterator[Path]:
         yield parent
 
 
-@pytest.fixture(params=[7, 11])
-def other(request: pytest.FixtureRequest, folder: Path) -> ModuleType:
-    return importlib.import_module(f"{PACKAGE}.cayley{request.param}")
-
-
-@pytest.mark.parametrize("regime", sampling.REGIMES)
-def test_orders_seven_and_eleven(other: ModuleType, regime: str) -> None:
-    order = int(other.__name__.rpartition("cayley")[2])
+@pytest.mark.parametrize(("order", "regime"), [*zip((7, 11) * 7, sampling.REGIMES, strict=True)])
+def test_orders_seven_and_eleven(folder: Path, order: int, regime: str) -> None:
+    other = importlib.import_module(f"{PACKAGE}.cayley{order}")
     assert Path(other.__file__ or "").parent.name == PACKAGE
     trial = Trial(other, order, regime, count=2)
     for name in FUNCTIONS:

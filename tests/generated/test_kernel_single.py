@@ -12,7 +12,7 @@ import pytest
 from derive.codegen.signatures import PUBLIC
 from tests.support import sampling
 from tests.support.kernels import ALIKE, ORDERS, load
-from tests.support.signatures import SHAPES, SIGNATURES, assert_nearly_equal, inputs
+from tests.support.signatures import SHAPES, SIGNATURES, assert_nearly_equal, components_last, inputs, rows_of
 
 FUNCTION = pytest.mark.parametrize("name", SIGNATURES)
 SOME = pytest.mark.parametrize("order", ALIKE, indirect=True, ids=lambda n: f"n={n}")
@@ -92,21 +92,22 @@ for _values in SPECIAL.values():  # shared by all tests; a kernel that writes in
 
 @FUNCTION
 def test_special_arguments_give_no_warning_and_batches_agree(kernel: ModuleType, order: int, name: str) -> None:
-    kinds = SIGNATURES[name].arguments
-    for first in SPECIAL[kinds[0]]:
-        # the third argument has the same values in reverse order
-        for rest in zip(*(SPECIAL[kind][:: 1 - 2 * i] for i, kind in enumerate(kinds[1:]))) if kinds[1:] else [()]:
-            arguments = [first, *rest]
-            for branch in ({}, {"branch": 1}) if name in BRANCHED else ({},):
-                single = getattr(kernel, name)(*arguments, **branch)
-                crowd = [np.repeat(a[None], 25, axis=0) for a in arguments]  # size at which a program is recorded
-                batch = getattr(kernel, name)(*crowd, **branch)
-                np.testing.assert_array_equal(np.isfinite(single), np.isfinite(batch[1]), str((name, arguments)))
-                assert_nearly_equal(
-                    np.nan_to_num(single, posinf=0, neginf=0), np.nan_to_num(batch[1], posinf=0, neginf=0)
-                )
-                rows = getattr(kernel, name)(*arguments, **branch, axis=0)
-                np.testing.assert_array_equal(np.isfinite(rows), np.isfinite(single))
+    """Compare single results with a batch of all special arguments, long enough for the recorded program."""
+    function, kinds = getattr(kernel, name), SIGNATURES[name].arguments
+    # the third argument has the same values in reverse order
+    rest = [*zip(*(SPECIAL[kind][:: 1 - 2 * i] for i, kind in enumerate(kinds[1:])))] or [()]
+    given = [np.stack(values) for values in zip(*((first, *one) for first in SPECIAL[kinds[0]] for one in rest))]
+    times = -(-25 // len(given[0]))
+    crowd = [np.concatenate([array] * times) for array in given]
+    for branch in ({}, {"branch": 1}) if name in BRANCHED else ({},):
+        singles = np.stack([function(*one, **branch) for one in zip(*given)] * times)
+        rows = components_last(function(*rows_of(name, crowd), **branch, axis=0), singles.ndim - 1)
+        for batch in (function(*crowd, **branch), rows):
+            differing = np.isfinite(singles) != np.isfinite(batch)
+            assert not differing.any(), [[array[i] for array in crowd] for i in np.argwhere(differing)[:, 0]]
+            found, expected = (np.nan_to_num(a, posinf=0, neginf=0).reshape(len(a), -1) for a in (batch, singles))
+            unit, size = 16 * np.finfo(float).eps, abs(expected).max(axis=1, initial=1, keepdims=True)
+            assert (abs(found - expected) <= unit * abs(expected) + unit * size).all()
 
 
 def test_special_screws_give_no_warning(kernel: ModuleType, order: int) -> None:

@@ -59,14 +59,13 @@ def quaternion_rhs(t: float, q: np.ndarray) -> list[float]:
 def test_three_turns_agree_with_the_matrix_exponential(name: str, method: str) -> None:
     """Allow 1e-8: steps at rtol = 1e-10 number below 100. Vectors lose digits with their distance to the pole."""
     module, t = getattr(dualcay, name), np.linspace(0, 6 * np.pi, 30)
-    for frame in FRAMES:
-        for v0 in (np.zeros(6), module.from_exponential(START)):
-            found = propagate(module, v0, steady, t, frame=frame, method=method)
-            np.testing.assert_allclose(found.pose, turned(module.pose(v0), t, frame), rtol=0, atol=1e-8)
-            near = abs(module.angle(found.v)[:, 0]) < 2.9 if name == "cayley1" else np.full(30, True)
-            np.testing.assert_allclose(module.pose(found.v[near]), found.pose[near], rtol=0, atol=1e-12)
-            assert len(found.switches) == 3
-            assert (np.diff(found.switches) > np.pi).all()
+    for frame, v0 in zip(FRAMES, (np.zeros(6), module.from_exponential(START)), strict=True):
+        found = propagate(module, v0, steady, t, frame=frame, method=method)
+        np.testing.assert_allclose(found.pose, turned(module.pose(v0), t, frame), rtol=0, atol=1e-8)
+        near = abs(module.angle(found.v)[:, 0]) < 2.9 if name == "cayley1" else np.full(30, True)
+        np.testing.assert_allclose(module.pose(found.v[near]), found.pose[near], rtol=0, atol=1e-12)
+        assert len(found.switches) == 3
+        assert (np.diff(found.switches) > np.pi).all()
         np.testing.assert_allclose(found.v[0], v0, rtol=0, atol=1e-14)
 
 

@@ -41,12 +41,15 @@ COMPILED = ("pose", "tangent_inv", "twist", "from_pose", "compose", "shadow", "r
 KINDS = {(len(row.arguments), len(row.result)): name for name, row in SIGNATURES.items()}
 """Sample of functions: one for each number of arguments and of result axes."""
 
+FEW = ("pose", "compose", "shadow")
+"""Sample for slow libraries, where arrays pass the same text as in the others: one and two arguments, a real map."""
+
 
 @LIBRARY
 def test_gates_of_the_oracle_hold_in_every_library(array_api, library):
     module = Through(array_api(3), library, optimized=True)
     for name in COMPILED if library in SLOW else FUNCTIONS:
-        for regime in REGIMES if library == "torch" else SOME:
+        for regime in REGIMES if library == "torch" else SOME[:1] if library == "dask" else SOME:
             Trial(module, 3, regime).check(name)
 
 
@@ -71,7 +74,7 @@ def test_other_orders_agree_with_the_numpy_kernels(array_api, library):
 def test_types_are_kept(array_api, library, dtype):
     order = 3
     module, kernel = Through(array_api(order), library), load(order)
-    for name in SIGNATURES if dtype == np.float32 and library not in SLOW else KINDS.values():
+    for name in FEW if library in SLOW else SIGNATURES if dtype == np.float32 else KINDS.values():
         signature, values = SIGNATURES[name], inputs(kernel, name, order, (4,), dtype)
         if np.dtype(dtype).kind == "c" and not signature.complex:
             with pytest.raises(TypeError, match="must be real"):
@@ -90,7 +93,7 @@ def test_integers_become_floating_point_numbers(array_api, library):
 @LIBRARY
 def test_components_first_and_broadcasting(array_api, library):
     module = Through(array_api(3), library)
-    for name in KINDS.values() if library in SLOW else SIGNATURES:
+    for name in FEW if library in SLOW else SIGNATURES:
         kinds, result, _ = SIGNATURES[name]
         values = inputs(load(3), name, 3, (2, 3))
         last = getattr(module, name)(*values)

@@ -13,7 +13,14 @@ jax = pytest.importorskip("jax")
 OTHERS = (
     "between", "retract", "body_retract", "local", "body_local", "twist", "body_twist", "rate", "body_rate"
 )  # fmt: skip
-EVERY = pytest.mark.parametrize("name", ["compose", *(pytest.param(n, marks=pytest.mark.thorough) for n in OTHERS)])
+MODES = ("jacfwd", "jacrev")
+EVERY = pytest.mark.parametrize(
+    ("name", "mode"),
+    [
+        *(("compose", mode) for mode in MODES),
+        *(pytest.param(name, MODES[k % 2], marks=pytest.mark.thorough) for k, name in enumerate(OTHERS)),
+    ],
+)
 EPS = 2.0**-52
 
 
@@ -61,7 +68,6 @@ def chain(function, count):
 
 
 @EVERY
-@pytest.mark.parametrize("mode", ["jacfwd", "jacrev"])
 def test_six_calls_share_the_text_of_one(charts, name, mode, monkeypatch):
     """Allow twice the text of one call; without rules six calls take more than four times the text."""
     function, at = getattr(charts("cayley2"), name), [value[0] for value in arguments()[:2]]
@@ -75,6 +81,7 @@ def test_six_calls_share_the_text_of_one(charts, name, mode, monkeypatch):
     assert growth() > 4
 
 
+@pytest.mark.thorough
 def test_compiled_functions_multiply_about_as_often_as_their_programs(charts, monkeypatch):
     """Count products and quotients that XLA runs for two compositions; without stored values it repeats far more.
 
@@ -97,6 +104,7 @@ def test_compiled_functions_multiply_about_as_often_as_their_programs(charts, mo
     assert stored <= 1.5 < 2 < repeated
 
 
+@pytest.mark.thorough
 def test_layouts_types_and_transformations(charts):
     """Compare axis 0, broadcast batches, float32 (eps 2⁻²³), vmap and scan with the plain call."""
     module, (v2, v1, rate2, rate1) = charts("cayley3"), arguments()

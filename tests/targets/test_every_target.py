@@ -82,13 +82,19 @@ def require_equal(module: ModuleType, kernels: ModuleType, name: str, make: Call
         assert np.all(abs(np.asarray(one) - other) <= ROUNDINGS * EPS * abs(other).max(initial=1)), name
 
 
-@pytest.mark.parametrize("order", [1, 3])
-@pytest.mark.parametrize("make", [np.asarray, jax.numpy.asarray], ids=["numpy", "jax"])
-def test_every_function_in_every_library(package, order, make):
+@pytest.mark.parametrize(
+    ("order", "functions", "make"),
+    [
+        (1, ROTATIONS.public, np.asarray), (3, ROTATIONS.public, np.asarray), (1, COMPILED, jax.numpy.asarray),
+        pytest.param(3, ROTATIONS.public, jax.numpy.asarray, marks=pytest.mark.thorough),
+    ],
+    ids=["numpy-1", "numpy-3", "jax-1", "jax-3"],
+)  # fmt: skip
+def test_functions_in_every_library(package, order, functions, make):
     jax.config.update("jax_enable_x64", True)
     name = f"rotation.cayley{order}"
     module, kernels = (importlib.import_module(f"{place}.{name}") for place in (package("array-api"), "dualcay"))
-    for function in ROTATIONS.public if make is np.asarray or order == 3 else COMPILED:
+    for function in functions:
         require_equal(module, kernels, function, make)
 
 

@@ -119,6 +119,9 @@ def wrong(functions: Functions, table: str, name: str, place: int, share: int, d
 SAMPLE = [("numpy", "rotation", "lambert"), ("numpy", "", "exponential"), ("jax", "rotation", "cayley3")]
 WHOLE = [("rotation", "lambert", np.float64), ("rotation", "lambert", np.float32), ("", "cayley3", np.float64),
          ("rotation", "exponential", np.float64)]  # fmt: skip
+SLOW = WHOLE[1:3]
+"""JAX and Numba compile every call anew, and run the text that NumPy runs: they try one table in each type."""
+WITH_COMPILER = [("numba", *one) for one in SLOW] + [(target, *one) for target in ("c", "native") for one in WHOLE]
 
 
 @pytest.mark.parametrize(("target", "table", "name"), SAMPLE)
@@ -128,9 +131,12 @@ def test_a_sample_of_functions_is_right_or_not_finite(functions_of: Any, target:
 
 
 @pytest.mark.thorough
-@pytest.mark.parametrize(("table", "name", "dtype"), WHOLE)
 @pytest.mark.parametrize(
-    "target", ["numpy", "jax", *(pytest.param(t, marks=pytest.mark.compiler) for t in ("numba", "c", "native"))]
+    ("target", "table", "name", "dtype"),
+    [
+        *(("numpy", *one) for one in WHOLE), *(("jax", *one) for one in SLOW),
+        *(pytest.param(*one, marks=pytest.mark.compiler) for one in WITH_COMPILER),
+    ],
 )
 def test_functions_are_right_or_not_finite(functions_of: Any, target: str, table: str, name: str, dtype: Any) -> None:
     functions = functions_of(target, table, name, dtype)

@@ -1,4 +1,4 @@
-"""Charts of φ of many forms: kernels agree with first principles on floats, and packages of forty φ are generated."""
+"""Charts of φ of many forms: kernels agree with first principles on floats, and packages of many φ are generated."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ PHI: dict[str, tuple[str, Share]] = {
 
 REGIMES = ((1e-300, 1e-290), (1e-9, 1e-5), (1e-3, 0.1), (1.2, 1.4), (0.3, 3.1), (3.2, 6.0))
 """Ranges of angles below a whole turn; one contains the limit between the formulas near 0 and beyond."""
-QUICK = ("steep", "bounded")  # charts with a fast oracle, without sums of series
+QUICK = ("bounded",)  # chart with a fast oracle, without sums of series
 
 
 @pytest.fixture(
@@ -62,7 +62,7 @@ def test_every_function_agrees_with_first_principles(kernels: ModuleType, oracle
 def test_no_band_of_angles_loses_digits(kernels: ModuleType, oracle: OfSquare, regime: tuple[float, float]):
     v = families.vectors(oracle, *regime, 1)
     for function in ("tangent", "pose", "tangent_inv", "from_pose"):
-        assert families.worst(kernels, oracle, function, v) <= families.GATE, function
+        families.require(kernels, oracle, function, families.arguments(kernels, function, v))
 
 
 DIGITS = 350  # digits of the reference values, enough to hold 1 + 1e-300
@@ -90,10 +90,10 @@ def test_functions_keep_all_digits(function: sympy.Expr, arguments: tuple[float,
             assert abs(got - exact) <= units * np.finfo(float).eps * abs(exact), (a, got, exact)
 
 
-# --- forty φ ----------------------------------------------------------------------------------------------------------
+# --- packages of φ of many forms --------------------------------------------------------------------------------------
 
-TANGENTS = ["tan(alpha/2)", *(f"{k}*tan(alpha/{k + 1})" for k in range(2, 9)), "tan(2*alpha/5)", "0.7*tan(alpha/3.5)"]
-SINES = [*(f"{k}*sin(alpha/{k})" for k in range(2, 10)), "sin(3*alpha/7)", "1.5*sin(alpha/2.5)"]
+TANGENTS = ["tan(alpha/2)", "8*tan(alpha/9)", "tan(2*alpha/5)", "0.7*tan(alpha/3.5)"]
+SINES = ["2*sin(alpha/2)", "9*sin(alpha/9)", "sin(3*alpha/7)", "1.5*sin(alpha/2.5)"]
 SUMS = [
     "tan(alpha/3) + sin(alpha/3)", "alpha + sin(alpha)/2", "tan(alpha/5) + alpha/10", "sin(alpha/2) + alpha/50",
     "3*tan(alpha/7) - sin(alpha/9)", "alpha + 9*sin(alpha)/10", "alpha/2 + alpha/3", "sin(alpha/4) + sin(alpha/8)",
@@ -106,18 +106,14 @@ ROOTS = [
     "alpha/sqrt(1 + alpha**2/40)", "sin(alpha/4)/sqrt(cos(alpha/4))", "sin(alpha/5)/sqrt(1 - sin(alpha/5)**2/9)",
     "alpha*sqrt(1 + alpha**2)", "3*atan(alpha/5)", "asin(alpha/13)",
 ]  # fmt: skip
-FORTY = [*TANGENTS, *SINES, *SUMS, *QUOTIENTS, *ROOTS]
+FORMS = [*TANGENTS, *SINES, *SUMS, *QUOTIENTS, *ROOTS]
 """Several φ make one package, because each package checks the geometry that its charts share."""
 TARGETS = ("numpy", "array-api", "numba")
-COMPILED = ("4*tan(alpha/5)", "asin(alpha/13)", "alpha/(1 + alpha**2/40)")
-"""φ generated for C: one with a pole, one with an inverse function, one with a fold."""
-SAMPLE = ("5*tan(alpha/6)", "2*sin(alpha/2)", "sin(alpha/3)/(1 + cos(alpha/3))")
-"""φ that every run tests, the fastest of each kind; other packages are marked thorough."""
-THOROUGH = [("c", COMPILED), *((TARGETS[i % 3], FORTY[i::6]) for i in range(6))]
-
-
-def test_forty_phi_are_listed() -> None:
-    assert len(set(FORTY)) == 40
+COMPILED = ("asin(alpha/13)", "alpha/(1 + alpha**2/40)")
+"""φ generated for C: one with an inverse function, one with a fold; committed charts have poles."""
+SAMPLE = ("sin(alpha/3)/(1 + cos(alpha/3))",)
+"""φ that every run tests, a fast one; other packages are marked thorough."""
+THOROUGH = [("c", COMPILED), *((target, FORMS[i::3]) for i, target in enumerate(TARGETS))]
 
 
 @pytest.mark.parametrize(

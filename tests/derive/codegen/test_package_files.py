@@ -107,7 +107,7 @@ def test_annotations_can_be_resolved(tmp_path: Path) -> None:
 
 def test_freestanding_header_calls_only_what_it_defines(tmp_path: Path) -> None:
     """Check n = 1: `from_tensor` needs a root alone, but `angle` needs a function of math.h."""
-    files.write(tmp_path, print_package([Cayley(1)], TARGETS["c"]).texts)
+    files.write(tmp_path, printed("c").texts)
     for header in ("cayley1.h", "rotation/cayley1.h"):
         text = parse(f'#include "{header}"\n', tmp_path, {"DUALCAY_FREESTANDING": ""}).text
         defined = set(re.findall(r"static inline \w+ (\w+)\(", text))

@@ -18,10 +18,10 @@ from derive.maps.any_phi import edges, first_guess, intervals, rounding
 from derive.maps.any_phi.expressions import parsed
 from derive.maps.any_phi.guesses import Halved
 from derive.maps.families import alpha
-from tests.derive.codegen.test_hyperbolic_phi import FORTY
+from tests.derive.codegen.test_hyperbolic_phi import FORMS
 from tests.support import packages, phis
 
-ALL = [*FORTY, *phis.drawn(160)]
+ALL = [*FORMS, *phis.drawn(200 - len(FORMS))]
 QUICK = 10
 """Every tenth φ is tested in normal runs."""
 CLOSE = mpmath.mpf(10) ** -25
