@@ -59,7 +59,7 @@ def head(data: Data) -> str:
     ])  # fmt: skip
 
 
-FILE_OF_PLOT = "benchmarks.png"
+FILE_OF_PLOT = "benchmarks.svg"
 
 
 def _ns(ns: Mapping[int, float], size: int) -> str:
