@@ -99,7 +99,7 @@ def picture(
     for name, error in angles.items():
         right.semilogy(t, np.maximum(error, 1e-4), label=name)
     right.set(xlabel="time (s)", ylabel="error of interpolated rotation (deg)", ylim=(1e-3, 1e4))
-    right.legend(fontsize="small", loc="upper right")
+    right.legend(loc="upper right")
     figure.savefig(file, metadata={"Date": None})
 
 

@@ -70,7 +70,7 @@ def picture(file: str, drawn: np.ndarray, ellipses: dict[str, tuple[np.ndarray, 
         edge = mean[[0, 2], None] + 3 * np.linalg.cholesky(covariance[::2, ::2]) @ [np.cos(t), np.sin(t)]
         axes.plot(*edge, style, label=f"three deviations, {name}")
     axes.set(xlabel="x (m)", ylabel="z (m)")
-    axes.legend(fontsize="small", loc="upper right")
+    axes.legend(loc="upper right")
     figure.savefig(file, metadata={"Date": None})
 
 
