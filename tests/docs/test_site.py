@@ -184,7 +184,7 @@ FIRST = {
     "tutorials/heavy_top.html": ("At the end you have", "download heavy_top.ipynb"),
     FUNCTION: ("dualcay.cayley2. tangent", "[source]", "Parameters"),
     "errata.html": ("What was decided", "erratum", "CP23 36"),
-    "benchmarks.html": ("Nanoseconds per pose", "[ns per pose against", "N = 1", "N = 100", "pose", "quaternion"),
+    "benchmarks.html": ("nanoseconds per pose", "[ns per pose against", "N = 1", "N = 100", "pose", "quaternion"),
     IN_CHART: ("dualcay.exponential. pose",),
     "theorems.html": ("Order n: maps and twists", "theorem formula certificate Coq"),
     "coming_from/gtsam.html": ("GTSAM dualcay", "gtsam.Pose3.Expmap(v).matrix()", "exponential.pose(v)"),
@@ -222,9 +222,11 @@ def test_page_is_sound(server: Server, tmp_path: Path, page: str, width: int, th
 @pytest.mark.parametrize("gone", ["[ns per pose against", "quaternion", "Slower than others in:"])
 def test_first_screen_without_its_answer_is_seen(server: Server, tmp_path: Path, gone: str) -> None:
     sound = (SITE / "benchmarks.html").read_text(encoding="utf-8")
-    server.further["late.html"] = sound.replace("<h1>", '<div style="height: 3000px"></div><h1>')
-    seen = look(server, "late.html", tmp_path)
+    late = sound.replace("<h1>", '<div style="height: 3000px"></div><h1>').replace("<details>", "<details open>")
+    server.further["benchmarks_late.html"] = late
+    seen = look(server, "benchmarks_late.html", tmp_path)
     assert gone not in f"{seen['first']} {seen['second']}"
+    assert seen["unfolded"]
 
 
 def test_code_fits_a_wide_screen_on_every_page(server: Server, tmp_path: Path) -> None:
@@ -253,6 +255,7 @@ FAULTS = {
     "wide element": ("overflow", '<div style="width: 2000px">wide</div>'),
     "other host": ("elsewhere", '<img src="https://example.org/picture.png">'),
     "error of a script": ("console", "<script>missing()</script>"),
+    "picture of the other theme": ("pictures", '<img class="only-dark" style="display: block !important" src="a.svg">'),
     "missing picture": ("failed", '<img src="missing.png">'),
 }
 
