@@ -159,7 +159,7 @@ def data(page: str) -> str:
                     by_order[order] = [float(size.replace("∞", "inf")), *(names[short] for short in regime)]
             place = {"type": dtype, "rotations": bool(kind), "beyond half a turn": where != "principal range"}
             rows.append({"function": function, **place, "gate": gate, "errors": by_order})
-    return json_rows(1, errors=rows)
+    return json_rows(schema=1, errors=rows)
 
 
 def short_of_gate(measurements: Iterable[Measurement]) -> list[str]:

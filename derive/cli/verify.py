@@ -19,7 +19,7 @@ from ..papers import verify as decide
 from ..papers.report import FORMATS, Report, as_text, data
 from ..proof import citing, proofs, theorems
 from . import display, options
-from .certificates import as_lines, certified
+from .certificates import certified
 
 WRONG = (Status.ERRATUM, Status.FALSE, Status.UNDECIDED)
 """Statuses for which --strict exits with 1."""
@@ -105,7 +105,7 @@ def _of_sheets(sheets: Sequence[Sheet], equations: list[str] | None, seconds: fl
 
 def _certify(file: Path, report: Report, orders: tuple[int, ...]) -> None:
     shown = certified(report.results, report.proofs, orders or ORDERS)
-    files.write(file.parent, {file.name: as_lines(shown)}, force=True)
+    files.write(file.parent, {file.name: facts.json_rows(**shown)}, force=True)
     click.echo(f"{file}: {shown['certified']} certificates, {shown['uncertified']} decisions without", err=True)
 
 

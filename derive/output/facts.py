@@ -4,30 +4,30 @@ from __future__ import annotations
 
 import json
 import sys
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
 from . import files
 
 
-def json_rows(schema: int, **lists: Sequence[Mapping[str, Any]]) -> str:
-    """Return lists of facts as JSON with a line for each fact, so that differences of two versions are short.
+def json_rows(**facts: Any) -> str:
+    """Return facts as JSON, those of a list on a line each, so that differences of two versions are short.
 
     Examples
     --------
-    >>> print(json_rows(1, sides=[{"left": "α"}, {"left": "β"}]), end="")
+    >>> print(json_rows(schema=1, sides=[{"left": "α"}, {"left": "β"}]), end="")
     {"schema": 1,
     "sides": [
     {"left": "α"},
     {"left": "β"}
     ]}
     """
-    parts = [f'"schema": {schema}']
-    for name, rows in lists.items():
-        lines = ",\n".join(json.dumps(row, ensure_ascii=False) for row in rows)
-        parts.append(f"{json.dumps(name)}: [\n{lines}\n]")
-    return "{" + ",\n".join(parts) + "}\n"
+    texts = (
+        "[\n" + ",\n".join(json.dumps(row, ensure_ascii=False) for row in value) + "\n]"
+        if isinstance(value, list) else json.dumps(value, ensure_ascii=False) for value in facts.values()
+    )  # fmt: skip
+    return "{" + ",\n".join(f'"{name}": {text}' for name, text in zip(facts, texts, strict=True)) + "}\n"
 
 
 def beside(output: Path, page: str, facts: str) -> dict[str, str]:

@@ -101,7 +101,7 @@ def as_json(general: Sequence[Proof], controls: Mapping[str, int]) -> str:
         }
         for proof in general
     ]  # fmt: skip
-    return json_rows(1, theorems=rows)
+    return json_rows(schema=1, theorems=rows)
 
 
 def anchor(proof: Proof) -> str:

@@ -46,7 +46,7 @@ def data(report: Report) -> str:
         facts = {name: value for name, value in result.as_json().items() if value and name not in LEFT_OUT}
         facts["readings"] = [reading for reading in facts["readings"] if reading["latex"] != result.printed]
         rows.append({name: value for name, value in facts.items() if value})
-    return json_rows(SCHEMA, equations=rows)
+    return json_rows(schema=SCHEMA, equations=rows)
 
 
 def page(form: str, report: Report) -> str:
