@@ -33,7 +33,7 @@ check-kernels: $(READY)
 	$(RUN) -m derive generate --check
 
 check-errata: $(READY)
-	$(RUN) -m derive verify --format markdown -o docs/errata.md --check
+	$(RUN) -m derive verify --format markdown --data -o docs/errata.md --check
 
 check-field: $(READY)  ## fail if a formula in use is decided otherwise than docs/field.md says (a minute)
 	$(RUN) -m derive.pages.field -o docs/field.md --check
@@ -55,7 +55,7 @@ bounds: $(VENV)/.bench  ## find bounds of rounding errors with Gappa, and write 
 	$(RUN) -m benchmarks.accuracy --bounds-only
 
 verify: $(READY)  ## decide every equation of the papers and of documents in use: docs/errata.md, docs/field.md and .json
-	$(RUN) -m derive verify --format markdown -o docs/errata.md
+	$(RUN) -m derive verify --format markdown --data -o docs/errata.md
 	$(RUN) -m derive.pages.field -o docs/field.md
 
 show: $(READY)  ## print the formulas of an order: make show N=3
@@ -101,7 +101,7 @@ bench: $(VENV)/.bench  ## times of proofs, and of kernels against peers or anoth
 
 parameterizations: $(VENV)/.bench  ## properties of charts, measured: docs/parameterizations.md and its plot
 	$(RUN) -m benchmarks.charts
-	$(RUN) -m derive compare --plot docs/parameterizations.png > /dev/null
+	$(RUN) -m derive compare --plot docs/parameterizations.svg > /dev/null
 	$(RUN) -m derive compare --format markdown > docs/parameterizations.md
 
 figures: $(VENV)/.bench  ## pictures of the README and the site (docs/figures); with all libraries: make figures BENCH=bench,peers

@@ -39,7 +39,7 @@ def main() -> None:
         data.write(file)
         kept |= {"motion": motion.section(), "propagate": propagate.section()}
     kept.pop("", None)
-    plot.draw(data, output.with_suffix(".png"))
+    plot.draw(data, output.with_suffix(".svg"))
     output.write_text(page.joined(page.head(data), kept | tables.sections(data)), encoding="utf-8")
     if output.resolve() == times.FILE.with_suffix(".md"):
         text = page.README.sub(rf"\1{page.figures(data)}\2", times.README.read_text(encoding="utf-8"))

@@ -1,4 +1,4 @@
-"""Conditioning of vectors from poses: docs/conditioning.png, by ``python -m benchmarks.conditioning``.
+"""Conditioning of vectors from poses: docs/conditioning.svg, by ``python -m benchmarks.conditioning``.
 
 Each pose is a product of two rotations in doubles, with known angle and axis. Results of ``from_pose`` are compared
 with φ(α + 2πk) u to 30 digits. Lines show the effect of a rotation error of eps: the axis moves by
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 from tests.support import kernels, sampling
 
-FILE = Path(__file__).parents[1] / "docs" / "conditioning.png"
+FILE = Path(__file__).parents[1] / "docs" / "conditioning.svg"
 DISTANCES = 10.0 ** np.linspace(-12, 0, 37)
 AXES = 16
 EPS = float(np.finfo(float).eps)
@@ -90,18 +90,21 @@ def draw(axes: Axes, label: str, angles: list[mpmath.mpf], directions: np.ndarra
 
 def main() -> None:
     """Draw the figure on conditioning."""
+    from matplotlib import rc_context
     from matplotlib.figure import Figure
 
+    from benchmarks.style import STYLE, WIDTH, save
+
     directions = sampling.unit_vectors(sampling.generator("conditioning"), (AXES,))
-    figure = Figure(figsize=(10, 4.2), layout="constrained")
-    left, right = figure.subplots(1, 2, sharey=True)
     labels = list(PANELS)
-    with mpmath.workdps(30):
+    with rc_context(STYLE), mpmath.workdps(30):
+        figure = Figure(figsize=(WIDTH, 3.8), layout="constrained")
+        left, right = figure.subplots(1, 2, sharey=True)
         draw(left, labels[0], [mpmath.mpf(d) for d in DISTANCES], directions)
         draw(right, labels[1], [mpmath.pi - mpmath.mpf(d) for d in DISTANCES], directions)
-    left.set_ylabel("error of v_k from a pose, in eps")
-    figure.suptitle("Digits of v_k: measured (markers), and what eps in the rotation may do (lines)")
-    figure.savefig(FILE, dpi=110, metadata={"Software": None})
+        left.set_ylabel("error of $v_k$ from a pose (eps)")
+        figure.suptitle("Digits of $v_k$: measured (markers), and what eps in the rotation may do (lines)")
+        save(figure, FILE)
 
 
 if __name__ == "__main__":

@@ -7,11 +7,12 @@ screw    a body on a screw motion, by ``from_screw``
 motion   size and deviation of v along a tumbling motion with its switches, for docs/explanation/motion.md
 ======== ====================================================================================================
 
-Backgrounds are transparent, and colours are visible on white and on black.
+Each example in examples/ draws one more. `benchmarks.style` has what they have in common.
 """
 
 from __future__ import annotations
 
+import importlib
 import itertools
 import math
 from pathlib import Path
@@ -25,6 +26,7 @@ from rich.console import Console
 
 from benchmarks.accuracy import curves, figures
 from benchmarks.accuracy.__main__ import progress
+from benchmarks.style import BLUE, FOLDER, GOLD, GREEN, GREY, ORANGE, PINK, STYLE, WIDTH, save
 from derive.codegen import catalogue
 from derive.pages.comparison import Compared
 from derive.pages.stretch import stretch
@@ -32,17 +34,8 @@ from dualcay import cayley2
 from dualcay.rotation import cayley2 as mrp
 from dualcay.rotation import exponential
 
-FOLDER = Path(__file__).parents[1] / "docs" / "figures"
-
-GREY = "#808890"
-STYLE = {
-    "axes.edgecolor": GREY, "axes.labelcolor": GREY, "axes.titlecolor": GREY, "text.color": GREY,
-    "xtick.color": GREY, "ytick.color": GREY, "grid.color": GREY, "grid.alpha": 0.25, "grid.linewidth": 0.6,
-    "axes.facecolor": "none", "figure.facecolor": "none", "savefig.transparent": True,
-    "axes.spines.top": False, "axes.spines.right": False, "font.size": 11, "axes.titlesize": 11,
-    "lines.linewidth": 1.8,
-}  # fmt: skip
-BLUE, GREEN, ORANGE, PINK, GOLD = "#2F81C4", "#1F9E73", "#D5601A", "#C26A9B", "#B58A12"
+SCRIPTS = sorted((Path(__file__).parents[1] / "examples").glob("*.py"))
+EXAMPLES = [script.stem for script in SCRIPTS if "--figure" in script.read_text(encoding="utf-8")]
 
 STYLES = {
     "n = 2": (BLUE, "s"), "n = 3": (GREEN, "^"),
@@ -55,14 +48,8 @@ PANELS = {
 }
 
 
-def save(figure: Figure, name: str, folder: Path = FOLDER) -> None:
-    """Save a figure without matplotlib's version, so that equal data give equal bytes."""
-    folder.mkdir(exist_ok=True)
-    figure.savefig(folder / f"{name}.png", dpi=110, metadata={"Software": None})
-
-
 def accuracy(found: curves.Curves) -> Figure:
-    figure = Figure(figsize=(11, 3.9), layout="constrained")
+    figure = Figure(figsize=(WIDTH, 3.4), layout="constrained")
     for axes, (title, (name, part)) in zip(figure.subplots(1, 3, sharey=True), PANELS.items(), strict=True):
         figures.panel(axes, found, name, part, STYLES)
         axes.grid(color=GREY, alpha=0.25)
@@ -85,7 +72,7 @@ HIGHEST, LAST = 11.0, 4 * math.pi
 
 
 def charts() -> Figure:
-    figure = Figure(figsize=(11, 4.2), layout="constrained")
+    figure = Figure(figsize=(WIDTH, 3.8), layout="constrained")
     axes = figure.subplots()
     committed = {chart.name: Compared(chart) for chart in catalogue.committed()}
     for name, look in CHARTS.items():
@@ -120,7 +107,7 @@ def screw() -> Figure:
     """Draw frames along a screw about an axis that does not meet the origin."""
     angle, through, along = np.array([2.2 * np.pi, 3.4]), np.array([1.0, 0.4, 0]), np.array([0.28, 0, 0.96])
     line = np.concatenate([along, np.cross(through, along)])
-    figure = Figure(figsize=(5.5, 4.6))
+    figure = Figure(figsize=(3.6, 3.6))
     axes: Any = figure.add_axes((0, 0, 1, 1), projection="3d")
 
     def poses(count: int) -> np.ndarray:
@@ -142,15 +129,15 @@ def screw() -> Figure:
 def motion() -> Figure:
     """Draw |v| of two charts along a tumbling motion, and the deviation of v with and without J at the switches."""
     omega, times = np.array([0.3, 0.8, -0.5]), np.linspace(0, 16, 1601)
-    figure = Figure(figsize=(11, 3.6), layout="constrained")
+    figure = Figure(figsize=(WIDTH, 3.2), layout="constrained")
     sizes, deviations = figure.subplots(1, 2)
     poses = exponential.tensor(np.outer(times, omega)) @ exponential.tensor(np.array([0.4, -0.2, 0.9]))
     for chart, colour, name in ((mrp, BLUE, "|σ|, n = 2"), (exponential, ORANGE, "|rotation vector|")):
         sizes.plot(times, np.linalg.norm(chart.from_tensor(poses), axis=-1), color=colour, label=name)
     sizes.axhline(1, color=BLUE, ls=":", lw=1.2, label="half a turn")
     sizes.axhline(math.pi, color=ORANGE, ls=":", lw=1.2)
-    sizes.set(xlabel="t (s)", ylabel="size of the vector", ylim=(0, 3.6))
-    sizes.legend(frameon=False, ncols=3, loc="upper center")
+    sizes.set(xlabel="t (s)", ylabel="size of the vector", ylim=(0, 4.1))
+    sizes.legend(frameon=False, ncols=2, loc="upper center")
     right, wrong = _deviations(mrp.from_tensor(poses))
     deviations.plot(times, wrong, color=PINK, ls="--", label="without J")
     deviations.plot(times, right, color=GREEN, label="with J")
@@ -179,15 +166,16 @@ def main() -> None:
     """Draw all pictures."""
     matplotlib.use("Agg")
     with matplotlib.rc_context(STYLE):
-        save(charts(), "charts")
-        save(screw(), "screw")
-        save(motion(), "motion")
+        for draw in (charts, screw, motion):
+            save(draw(), FOLDER / f"{draw.__name__}.svg")
+        for name in EXAMPLES:
+            importlib.import_module(f"examples.{name}").main(["--figure", str(FOLDER / f"{name}.svg")])
         console = Console()
         figures.missing(console)
         with progress(console) as bar:
             row = bar.add_task("angles", total=None)
             found = curves.curves(lambda done, total: bar.update(row, completed=done, total=total))
-        save(accuracy(found), "accuracy")
+        save(accuracy(found), FOLDER / "accuracy.svg")
 
 
 if __name__ == "__main__":

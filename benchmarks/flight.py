@@ -67,8 +67,9 @@ def measured(folder: Path) -> str:
     compiler = run(f"{tools}gcc", "--version", folder=folder).splitlines()[0]
     lines = [
         f"`{CHART.name}`, {REAL}, {compiler}, `{' '.join((*FLAGS[:2], *(ARM if arm else ())))}`. From outside: "
-        f"{', '.join(f'`{name}`' for name in sorted(outside))}. Static data: {static} bytes. The stack of these "
-        "functions of the library comes on top. Cores are inlined, so the frame is the whole depth.\n",
+        f"{', '.join(f'`{name}`' for name in sorted(outside))}. Static data: {static} bytes. These "
+        "functions of the library need stack of their own. A function of the table calls no other, so its frame is all "
+        "that it uses.\n",
         "| function | poses: code | stack | rotations: code | stack |", "|---|---|---|---|---|",
     ]  # fmt: skip
     for name, found in sizes.items():

@@ -18,15 +18,15 @@ import numpy as np
 from matplotlib.figure import Figure
 from scipy.integrate import solve_ivp
 
-from benchmarks import figures, timing
-from benchmarks.figures import BLUE, GOLD, GREEN, GREY, ORANGE, PINK
+from benchmarks import timing
+from benchmarks.style import BLUE, FOLDER, GOLD, GREEN, GREY, ORANGE, PINK, STYLE, WIDTH, save
 from derive.algebra import Vector
 from derive.codegen.programs.trace import Trace
 from derive.codegen.targets import infix
 from derive.motion_equations import MotionEquation, motion_equation
 from tests.support import motions
 
-FILE = figures.FOLDER / "motion_equations.png"
+FILE = FOLDER / "motion_equations.svg"
 
 EQUATIONS = {
     "tensor (70)": motion_equation("70"), "quaternion (75)": motion_equation("75"),
@@ -99,7 +99,7 @@ def work(found: Sequence[Run], error: float) -> tuple[str, str]:
 
 def drawn(measured: Mapping[str, Sequence[Run]]) -> Figure:
     """Draw evaluations and time against the pose error."""
-    figure = Figure(figsize=(11, 4.4), layout="constrained")
+    figure = Figure(figsize=(WIDTH, 3.8), layout="constrained")
     panels = figure.subplots(1, 2, sharey=True)
     for axes, amount, ticks in zip(panels, ("evaluations", "milliseconds"), TICKS, strict=True):
         for name, found in measured.items():
@@ -120,8 +120,8 @@ def section(tolerances: Sequence[float] = TOLERANCES, end: float = END, picture:
     """Measure all equations, draw the picture, and return the section with the table."""
     measured = {name: runs(equation, tolerances, end) for name, equation in EQUATIONS.items()}
     matplotlib.use("Agg")
-    with matplotlib.rc_context(figures.STYLE):
-        figures.save(drawn(measured), picture.stem, picture.parent)
+    with matplotlib.rc_context(STYLE):
+        save(drawn(measured), picture)
     rows = [
         [name, str(EQUATIONS[name].states), *(part for error in ERRORS for part in work(found, error))]
         for name, found in measured.items()

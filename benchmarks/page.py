@@ -23,8 +23,8 @@ ORDER = (
 COMMAND = "python -m benchmarks -o docs/benchmarks.md"
 INTRODUCTION = """# Speed
 
-Nanoseconds per pose, N poses in one call, of our kernels in NumPy, compiled (in brackets), and of other libraries. n is
-the order of a Cayley map. Other machines have other times, with similar ratios.
+Plot and table give nanoseconds per pose, with N poses in one call. They compare our kernels in NumPy, compiled ones (in
+brackets), and other libraries. n is the order of a Cayley map. Other machines have other times, with similar ratios.
 """
 
 SCREEN = ("pose", "quaternion", "from_pose", "compose")
@@ -59,7 +59,7 @@ def head(data: Data) -> str:
     ])  # fmt: skip
 
 
-FILE_OF_PLOT = "benchmarks.png"
+FILE_OF_PLOT = "benchmarks.svg"
 
 
 def _ns(ns: Mapping[int, float], size: int) -> str:

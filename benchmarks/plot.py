@@ -8,7 +8,7 @@ from benchmarks.maps import COMPILED, COPY, NUMPY, PART
 from benchmarks.peers import load
 from benchmarks.times import CHARTS, ROOT, Data, label
 
-FILE = ROOT / "docs" / "benchmarks.png"
+FILE = ROOT / "docs" / "benchmarks.svg"
 BLUE, RED = "#2F81C4", "#D5601A"
 LOOKS = {
     **{(NUMPY, chart): (BLUE, style, "o") for chart, style in zip(CHARTS, ("-", "--"), strict=True)},
@@ -31,10 +31,10 @@ def draw(data: Data, path: Path = FILE) -> None:
         return
     from matplotlib import rc_context
 
-    from benchmarks.figures import STYLE
+    from benchmarks.style import STYLE, WIDTH, save
 
     with rc_context(STYLE):
-        made = figure.Figure(figsize=(6.4, 3.3), layout="constrained")
+        made = figure.Figure(figsize=(WIDTH, 3.8), layout="constrained")
         axes = made.subplots()
         for (by, chart), (colour, style, mark) in LOOKS.items():
             ns = data.ns(PART, by, "pose", chart)
@@ -42,5 +42,5 @@ def draw(data: Data, path: Path = FILE) -> None:
             axes.loglog(list(ns), list(ns.values()), style, color=colour, marker=mark, ms=5, label=text)
         axes.set(xlabel="N, poses in a call", ylabel="ns per pose", ylim=(1, 2e6))
         axes.grid(alpha=0.25)
-        axes.legend(loc="upper right", ncols=2, frameon=False, fontsize=9, handlelength=2.5)
-        made.savefig(path, dpi=110, metadata={"Software": None})
+        axes.legend(loc="upper right", ncols=2, frameon=False, handlelength=2.5)
+        save(made, path)

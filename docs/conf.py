@@ -28,6 +28,7 @@ extensions = [
     "myst_nb",
     "sphinx_design",
     "sphinx_gallery.gen_gallery",
+    "_ext.dark",
     "_ext.function_pages",
     "_ext.printed",
     "_ext.publication",
@@ -48,10 +49,12 @@ nb_execution_timeout = 120
 nb_merge_streams = True
 os.environ["TTY_INTERACTIVE"] = "0"  # no progress bars in the output of cells
 
-# Kernels of notebooks serve this build alone: their warning that connections are not encrypted is switched off.
+# Kernels of notebooks serve this build alone: their warning that connections are not encrypted is switched off,
+# and figures are SVG, of which the extension `dark` makes dark ones.
 profile = ROOT / "build" / "docs" / "ipython" / "profile_default"
 profile.mkdir(parents=True, exist_ok=True)
-(profile / "ipython_kernel_config.py").write_text('c.IPKernelApp.log_level = "ERROR"\n', encoding="utf-8")
+SETTINGS = 'c.IPKernelApp.log_level = "ERROR"\nc.InlineBackend.figure_formats = {"svg"}\n'
+(profile / "ipython_kernel_config.py").write_text(SETTINGS, encoding="utf-8")
 os.environ["IPYTHONDIR"] = str(profile.parent)
 
 # Formulas: MathJax 4 from its npm package, which the Makefile unpacks; the site loads nothing from elsewhere.

@@ -8,10 +8,10 @@ along a path of poses; and the hand–eye problem A X = X B. The arm's lengths a
 Modern Robotics (Cambridge University Press, 2017), example 4.5. Exponential coordinates of a joint are its angle times
 its screw.
 
-.. image:: /figures/arm.png
+.. image:: /figures/arm.svg
 """
 
-# sphinx_gallery_thumbnail_path = 'reference/generated/thumbnail_arm.png'
+# sphinx_gallery_thumbnail_path = 'reference/generated/thumbnail_arm.svg'
 
 import argparse
 from collections.abc import Sequence
@@ -110,7 +110,7 @@ def main(argv: Sequence[str] | None = None) -> None:
     if options.figure:
         from matplotlib.figure import Figure
 
-        figure = Figure(figsize=(10, 4.5), layout="constrained")
+        figure = Figure(figsize=(8.2, 4.5), layout="constrained")
         space, right = figure.add_subplot(1, 2, 1, projection="3d"), figure.add_subplot(1, 2, 2)
         for motions in map(links, joints[:: max(1, len(joints) // 5)]):
             space.plot(*np.transpose([chart.transform_point(motions[k], r) for k, r in CORNERS]), "C0o-", markersize=3)
@@ -121,7 +121,7 @@ def main(argv: Sequence[str] | None = None) -> None:
             right.semilogy(history, "o-", label=label)
         right.set(xlabel="iteration of Gauss–Newton", ylabel="largest component, error or step (rad, m)")
         right.legend()
-        figure.savefig(options.figure, dpi=110, metadata={"Software": None})
+        figure.savefig(options.figure, metadata={"Date": None})
 
 
 if __name__ == "__main__":

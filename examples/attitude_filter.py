@@ -11,10 +11,10 @@ Three filters see the same data. One uses J, one leaves P as it is, as some flig
 2 ‖σ‖⁴ σσᵀ − ‖σ‖² I, a formula in use that is J at ‖σ‖ = 1 only; here ‖σ‖ is up to 1.18 before a switch. The normalized
 squared error (NEES) of the six states, eᵀ P⁻¹ e, has the mean 6 if a filter knows its own errors.
 
-.. image:: /figures/attitude_filter.png
+.. image:: /figures/attitude_filter.svg
 """
 
-# sphinx_gallery_thumbnail_path = 'reference/generated/thumbnail_attitude_filter.png'
+# sphinx_gallery_thumbnail_path = 'reference/generated/thumbnail_attitude_filter.svg'
 
 import argparse
 from collections.abc import Callable, Sequence
@@ -106,7 +106,7 @@ def main(argv: Sequence[str] | None = None) -> None:
     if options.figure:
         from matplotlib.figure import Figure
 
-        figure = Figure(figsize=(9, 6.5), layout="constrained")
+        figure = Figure(figsize=(8.2, 6), layout="constrained")
         top, middle, last = figure.subplots(3, 1, sharex=True)
         times = np.arange(1, options.steps + 1)
         top.plot(times, sizes[:, 0])
@@ -120,7 +120,7 @@ def main(argv: Sequence[str] | None = None) -> None:
         middle.set(ylabel="error about x, ±3σ (deg)", ylim=(-1, 1))
         last.set(xlabel="time (s)", ylabel=f"mean NEES of {options.runs} runs")
         last.legend()
-        figure.savefig(options.figure, dpi=80, metadata={"Software": None})
+        figure.savefig(options.figure, metadata={"Date": None})
 
 
 if __name__ == "__main__":

@@ -11,10 +11,10 @@ Each step is described in the frame of the body at its start; v is the motion si
 moving frame, weight and reaction are a wrench w in the frame of the step. Their generalized forces balance: T z = Tᵀ w.
 T depends on v, so Newton's method needs the derivatives of both sides at fixed wrenches, the cotangent Jacobians.
 
-.. image:: /figures/heavy_top.png
+.. image:: /figures/heavy_top.svg
 """
 
-# sphinx_gallery_thumbnail_path = 'reference/generated/thumbnail_heavy_top.png'
+# sphinx_gallery_thumbnail_path = 'reference/generated/thumbnail_heavy_top.svg'
 
 import argparse
 from collections import namedtuple
@@ -109,7 +109,7 @@ def main(argv: Sequence[str] | None = None) -> None:
     if options.figure:
         from matplotlib.figure import Figure
 
-        figure = Figure(figsize=(10, 4), layout="constrained")
+        figure = Figure(figsize=(8.2, 4), layout="constrained")
         left, right = figure.subplots(1, 2)
         for name in CHARTS:
             left.loglog(STEPS, [found[name, h][0] for h in STEPS], "o-", label=name)
@@ -120,7 +120,7 @@ def main(argv: Sequence[str] | None = None) -> None:
         left.tick_params(axis="x", which="minor", labelbottom=False)
         right.set(xlabel="time (s)", ylabel="relative change of energy, h = 1 ms")
         left.legend()
-        figure.savefig(options.figure, dpi=110, metadata={"Software": None})
+        figure.savefig(options.figure, metadata={"Date": None})
 
 
 if __name__ == "__main__":

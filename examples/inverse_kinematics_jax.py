@@ -8,10 +8,10 @@ Levenberg–Marquardt minimizes ‖r‖², where r is the step from the tool to 
 Sugihara (IEEE Trans. Robotics 27, 2011): it keeps steps short far away and vanishes at the target.
 `jax.vmap` solves all targets at once, each from several random starts: an arm reaches a target in several postures.
 
-.. image:: /figures/inverse_kinematics_jax.png
+.. image:: /figures/inverse_kinematics_jax.svg
 """
 
-# sphinx_gallery_thumbnail_path = 'reference/generated/thumbnail_inverse_kinematics_jax.png'
+# sphinx_gallery_thumbnail_path = 'reference/generated/thumbnail_inverse_kinematics_jax.svg'
 
 import argparse
 import importlib
@@ -106,7 +106,7 @@ def main(argv: Sequence[str] | None = None) -> None:
     if options.figure:
         from matplotlib.figure import Figure
 
-        figure = Figure(figsize=(10, 4.5), layout="constrained")
+        figure = Figure(figsize=(8.2, 4.5), layout="constrained")
         space, right = figure.add_subplot(1, 2, 1, projection="3d"), figure.add_subplot(1, 2, 2)
         for motions in map(arm.links, shown):
             points = [arm.chart.transform_point(motions[k], r) for k, r in arm.CORNERS]
@@ -117,7 +117,7 @@ def main(argv: Sequence[str] | None = None) -> None:
         right.axhline(arm.TOLERANCE, color="k", linestyle=":", label="tolerance")
         right.set(xlabel="iteration", ylabel="largest component of error (rad, m)")
         right.legend()
-        figure.savefig(options.figure, dpi=90, metadata={"Software": None})
+        figure.savefig(options.figure, metadata={"Date": None})
 
 
 if __name__ == "__main__":

@@ -10,10 +10,10 @@ cancelled by feed-forward. At v = 0 the two are docked.
 On the way the chaser knows its pose from its start and from the twist that it measures, with noise. `propagate`
 integrates pose and covariance along the twist in the frame of the body. Random runs with the same noise check it.
 
-.. image:: /figures/rendezvous.png
+.. image:: /figures/rendezvous.svg
 """
 
-# sphinx_gallery_thumbnail_path = 'reference/generated/thumbnail_rendezvous.png'
+# sphinx_gallery_thumbnail_path = 'reference/generated/thumbnail_rendezvous.svg'
 
 import argparse
 from collections.abc import Sequence
@@ -100,11 +100,11 @@ def main(argv: Sequence[str] | None = None) -> None:
     if options.figure:
         from matplotlib.figure import Figure
 
-        figure = Figure(figsize=(10, 3.6), layout="constrained")
+        figure = Figure(figsize=(8.2, 3.6), layout="constrained")
         left, right = figure.subplots(1, 2, width_ratios=(3, 2))
         places = chart.pose(runs)[..., :3, 3]
         for k in range(STEPS // 18, STEPS, STEPS // 9):
-            left.plot(*places[k - 1, :300, 1::-1].T, ".", color="C7", markersize=1)
+            left.plot(*places[k - 1, :300, 1::-1].T, ".", color="C7", markersize=1, rasterized=True)
             left.plot(*(motion.pose[k, 1::-1, 3, None] + ellipse(motion.v[k], motion.covariance[k])), color="C1")
         left.plot(*motion.pose[:, 1::-1, 3].T, color="C0")
         left.set(xlabel="y in the frame of the target (m), 3σ ellipses and random runs", ylabel="x (m)", aspect="equal")
@@ -113,7 +113,7 @@ def main(argv: Sequence[str] | None = None) -> None:
             right.plot(t[10::10], 1e3 * drawn[9::10, i], ".", color=f"C{i}")
         right.set(xlabel="time (s)", ylabel="deviation of position (mm)")
         right.legend()
-        figure.savefig(options.figure, dpi=100, metadata={"Software": None})
+        figure.savefig(options.figure, metadata={"Date": None})
 
 
 if __name__ == "__main__":

@@ -11,10 +11,10 @@ sweeps the gripper through a whole turn.
 `unwrap` chooses the branch that continues the sequence. The vectors may be interpolated after that, as any numbers;
 `interpolate` follows the screw from pose to pose and needs no unwrapping.
 
-.. image:: /figures/rotation_vectors.png
+.. image:: /figures/rotation_vectors.svg
 """
 
-# sphinx_gallery_thumbnail_path = 'reference/generated/thumbnail_rotation_vectors.png'
+# sphinx_gallery_thumbnail_path = 'reference/generated/thumbnail_rotation_vectors.svg'
 
 import argparse
 from collections.abc import Sequence
@@ -89,18 +89,18 @@ def picture(
     """Draw the rotation vectors before and after unwrapping, and the errors of interpolation."""
     from matplotlib.figure import Figure
 
-    figure = Figure(figsize=(10, 4), layout="constrained")
+    figure = Figure(figsize=(8.2, 4), layout="constrained")
     left, right = figure.subplots(1, 2)
     for i, name in enumerate("xyz"):
         left.plot(times, recorded[:, i], ".", color=f"C{i}", markersize=4, label=f"{name}, recorded")
         left.plot(times, continuous[:, i], color=f"C{i}", linewidth=1, label=f"{name}, after unwrap")
-    left.set(xlabel="time (s)", ylabel="rotation vector (rad)", ylim=(-4.6, 6))
-    left.legend(ncols=3, fontsize="small", loc="upper center")
+    left.set(xlabel="time (s)", ylabel="rotation vector (rad)", ylim=(-4.6, 8))
+    left.legend(ncols=2, loc="upper center")
     for name, error in angles.items():
         right.semilogy(t, np.maximum(error, 1e-4), label=name)
     right.set(xlabel="time (s)", ylabel="error of interpolated rotation (deg)", ylim=(1e-3, 1e4))
-    right.legend(fontsize="small", loc="upper right")
-    figure.savefig(file, dpi=110, metadata={"Software": None})
+    right.legend(loc="upper right")
+    figure.savefig(file, metadata={"Date": None})
 
 
 if __name__ == "__main__":

@@ -9,10 +9,10 @@ kernels. The Monte Carlo sum shows what the formula leaves out: here up to 2.4 p
 
 Chunks are drawn, moved and summed one by one. The peak of memory depends on the size of a chunk, not on the count.
 
-.. image:: /figures/stream.png
+.. image:: /figures/stream.svg
 """
 
-# sphinx_gallery_thumbnail_path = 'reference/generated/thumbnail_stream.png'
+# sphinx_gallery_thumbnail_path = 'reference/generated/thumbnail_stream.svg'
 
 import argparse
 import resource
@@ -64,14 +64,14 @@ def picture(file: str, drawn: np.ndarray, ellipses: dict[str, tuple[np.ndarray, 
 
     figure = Figure(figsize=(8, 4), layout="constrained")
     axes = figure.subplots()
-    axes.plot(*drawn[:, [0, 2]].T, ".", color="0.6", markersize=3, label=f"{len(drawn)} of the points")
+    axes.plot(*drawn[:, [0, 2]].T, ".", color="0.6", markersize=3, rasterized=True, label=f"{len(drawn)} of the points")
     t = np.linspace(0, 2 * np.pi, 200)
     for (name, (mean, covariance)), style in zip(ellipses.items(), ("C0-", "C1--"), strict=True):
         edge = mean[[0, 2], None] + 3 * np.linalg.cholesky(covariance[::2, ::2]) @ [np.cos(t), np.sin(t)]
         axes.plot(*edge, style, label=f"three deviations, {name}")
     axes.set(xlabel="x (m)", ylabel="z (m)")
-    axes.legend(fontsize="small", loc="upper right")
-    figure.savefig(file, dpi=110, metadata={"Software": None})
+    axes.legend(loc="upper right")
+    figure.savefig(file, metadata={"Date": None})
 
 
 def main(argv: Sequence[str] | None = None) -> None:

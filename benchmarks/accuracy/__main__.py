@@ -53,7 +53,7 @@ def measurements(folder: Path, bar: Progress) -> list[measure.Measurement]:
 @click.option("--bounds-only", is_flag=True, help="Write the section of certified bounds, and leave the rest.")
 @click.option("--figures-only", is_flag=True, help="Draw the figures, with what is said of them, and leave the tables.")
 def main(seconds: float, figures_only: bool, bounds_only: bool) -> None:
-    """Write docs/accuracy.md, its figures and benchmarks/worst_cases.json."""
+    """Write docs/accuracy.md with .json, its figures and benchmarks/worst_cases.json."""
     page = DOCS / "accuracy.md"
     if bounds_only:
         page.write_text(certified.renewed(page.read_text(encoding="utf-8")), encoding="utf-8")
@@ -70,7 +70,9 @@ def main(seconds: float, figures_only: bool, bounds_only: bool) -> None:
         if seconds:
             search(folder, seconds, bar)
         found = measurements(folder, bar)
-    page.write_text(report.page(found, drawn), encoding="utf-8")
+    text = report.page(found, drawn)
+    page.write_text(text, encoding="utf-8")
+    page.with_suffix(".json").write_text(report.data(text), encoding="utf-8")
     for line in report.verdict(found):
         console.print(line, highlight=False)
 

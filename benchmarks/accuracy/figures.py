@@ -1,4 +1,4 @@
-"""Figures docs/accuracy_*.png: error against angle, of our kernels and other libraries."""
+"""Figures docs/accuracy_*.svg: error against angle, of our kernels and other libraries."""
 
 from __future__ import annotations
 
@@ -13,6 +13,7 @@ from rich.console import Console
 from rich.progress import Progress
 
 from benchmarks.accuracy import curves, peers
+from benchmarks.style import STYLE, WIDTH, save
 
 FLOOR = 1e-2  # smallest error drawn; smaller ones are drawn here
 
@@ -48,7 +49,6 @@ class Picture:
     """Contents of one file: a row for each part, a column for each panel."""
 
     file: str
-    title: str
     parts: dict[str, str]
     panels: tuple[str, str]
     caption: str
@@ -56,24 +56,21 @@ class Picture:
 
 PICTURES = (
     Picture(
-        "accuracy_exponential.png",
-        "From vector to pose: Cayley maps, and exponential maps of ours and of other libraries",
+        "accuracy_exponential.svg",
         {"Q": "rotation Q", "ρ": "displacement ρ"},
         ("small", "whole"),
         "Forward maps. Ours v → pose, the others' exponential map at the same screws with translations of size one; "
         "each against its own exact map of its own rounded argument.",
     ),
     Picture(
-        "accuracy_logarithm.png",
-        "From pose to vector: inverse Cayley maps, and logarithms of ours and of other libraries",
+        "accuracy_logarithm.svg",
         {"log": "rotational part", "log°": "translational part"},
         ("small", "to pi"),
         "Inverse maps. All from the same matrix of doubles; errors over what rounding its entries does to the exact "
         "result.",
     ),
     Picture(
-        "accuracy_tangent.png",
-        "Tangent operators, and Jacobians of exponential maps of other libraries",
+        "accuracy_tangent.svg",
         {"T": "T", "T⁻¹": "T⁻¹"},
         ("small", "whole"),
         "Tangent operators. Ours dcay and its inverse, the others' left Jacobian of the exponential map and its "
@@ -106,7 +103,7 @@ def panel(axes: Axes, found: curves.Curves, name: str, part: str, styles: Styles
     axes.set_xscale(scale)
     axes.set_yscale("log")
     axes.set_xlabel(label)
-    axes.grid(True, which="major", color="0.88", linewidth=0.6)
+    axes.grid(True, which="major")
     axes.axhline(1, color="0.4", linewidth=0.8, zorder=1)
     if name == "whole":
         axes.set_xlim(0, 2 * np.pi)
@@ -114,7 +111,7 @@ def panel(axes: Axes, found: curves.Curves, name: str, part: str, styles: Styles
 
 
 def picture(found: curves.Curves, what: Picture, path: Path) -> None:
-    figure = Figure(figsize=(10.5, 7.2), layout="constrained")
+    figure = Figure(figsize=(WIDTH, 7), layout="constrained")
     grid = figure.subplots(2, 2, sharey=True)
     for row, (part, label) in zip(grid, what.parts.items(), strict=True):
         for axes, name in zip(row, what.panels, strict=True):
@@ -124,10 +121,8 @@ def picture(found: curves.Curves, what: Picture, path: Path) -> None:
     order = [label for label in STYLES if label in handles]
     names = [f"dualcay, {label}" if is_ours(label) else label for label in order]
     lines = [handles[label] for label in order]
-    figure.legend(lines, names, loc="outside right center", frameon=False, handlelength=3.2)
-    figure.suptitle(what.title, fontsize=12)
-    # Without matplotlib's version in the file, equal data give equal bytes.
-    figure.savefig(path, dpi=120, metadata={"Software": None})
+    figure.legend(lines, names, loc="outside lower center", ncols=4, frameon=False, handlelength=3.2)
+    save(figure, path)
 
 
 def missing(console: Console) -> None:
@@ -143,8 +138,9 @@ def draw(folder: Path, bar: Progress, console: Console) -> curves.Drawn:
     missing(console)
     row = bar.add_task("angles", total=sum(map(len, curves.ANGLES.values())))
     found = curves.curves(lambda done, total: bar.update(row, completed=done, total=total))
-    for what in PICTURES:
-        picture(found, what, folder / what.file)
+    with matplotlib.rc_context(STYLE):
+        for what in PICTURES:
+            picture(found, what, folder / what.file)
     used = ", ".join(f"{name} {version}" for name, version in peers.versions(*peers.MAKERS).items() if version)
     note = f"Errors below {FLOOR:g} eps are drawn there. Compared: {used}."
     captions = [(what.file, f"{what.caption} {note}") for what in PICTURES]

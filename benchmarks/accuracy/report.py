@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
@@ -13,6 +14,7 @@ from benchmarks.accuracy.curves import Drawn
 from benchmarks.accuracy.measure import COUNT, DIGITS, FEW, ORDERS, Measurement, types
 from derive.codegen.signatures import POSES, ROTATIONS
 from derive.maps.cayley_scalars import HORNER_LIMIT
+from derive.output.facts import json_rows
 from tests.support import errors, rotations
 from tests.support.calculus import CALCULUS, EVERY
 from tests.support.cases import DTYPES
@@ -139,6 +141,25 @@ def table(measurements: Iterable[Measurement]) -> Rows:
             if old is None or (worst.fraction, worst.regime) > (old.fraction, old.regime):
                 row[worst.order] = worst
     return found
+
+
+TABLES = re.compile(r"<summary>(\w+) \(eps = .*?\)(.*?), (principal range|at π).*?</summary>\n\n(.+?)\n\n", re.DOTALL)
+
+
+def data(page: str) -> str:
+    """Return the tables of worst errors on the page as JSON: by order n the error in eps, and its regime."""
+    names, rows = {short: regime for regime, short in SHORT.items()}, []
+    for dtype, kind, where, text in TABLES.findall(page):
+        head, _, *lines = ([cell.strip(" *") for cell in line.strip("|").split("|")] for line in text.splitlines())
+        for function, gate, *cells in lines:
+            by_order = {}
+            for order, cell in zip(head[2:], cells, strict=True):
+                if cell:
+                    size, *regime = cell.split(" ")
+                    by_order[order] = [float(size.replace("∞", "inf")), *(names[short] for short in regime)]
+            place = {"type": dtype, "rotations": bool(kind), "beyond half a turn": where != "principal range"}
+            rows.append({"function": function, **place, "gate": gate, "errors": by_order})
+    return json_rows(schema=1, errors=rows)
 
 
 def short_of_gate(measurements: Iterable[Measurement]) -> list[str]:
@@ -287,6 +308,7 @@ INTRODUCTION = """# Accuracy
 This page shows how far results of the kernels are from the exact values. The table has the digits that are right in the
 worst case found, up to n = 8. The error is counted in eps, the rounding unit of the number type: 2.2e-16 for float64,
 1.2e-07 for float32. Below the figure are other libraries, the gate of every function, and bounds that are certified.
+[The worst errors](accuracy.json) of each function, order and type are there as JSON, too.
 """
 
 MEASURED = "## How it is measured"
@@ -298,8 +320,9 @@ def method() -> list[str]:
     return [
         MEASURED,
         "",
-        f"Each function is compared with {DIGITS}-digit arithmetic that shares no formula with it, on {COUNT} seeded "
-        "samples per order, type and regime, and on the worst inputs found before (`benchmarks/worst_cases.json`). "
+        f"Each function is compared with {DIGITS}-digit arithmetic that shares no formula with it. Its arguments are "
+        f"{COUNT} seeded samples per order, type and regime, and the worst inputs found before "
+        "(`benchmarks/worst_cases.json`). "
         "`make accuracy` measures, and writes this page.",
         "",
         "<details><summary>Norms of errors, samples, and gates on shadows</summary>",
@@ -328,7 +351,7 @@ def page(measurements: Sequence[Measurement], figures: Drawn) -> str:
     lines = [
         INTRODUCTION,
         *answers(table(measurements)),
-        "![Error of a pose against its angle, beside other libraries](figures/accuracy.png)",
+        "![Error of a pose against its angle, beside other libraries](figures/accuracy.svg)",
         "",
         *method(),
         "## Gates",

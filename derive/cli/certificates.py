@@ -38,14 +38,6 @@ def certified(results: Iterable[Result], proofs: Iterable[Proof], orders: Sequen
     return {"format": FORMAT, **counts, "certificates": shown, "listed": listed}
 
 
-def as_lines(shown: dict[str, Any]) -> str:
-    """Return the content of the file, with one line for each certificate."""
-    lists = {"certificates", "listed"}
-    lines = [f"{json.dumps(key)}: {json.dumps(value)}" for key, value in shown.items() if key not in lists]
-    lines += [f"{json.dumps(key)}: [\n" + ",\n".join(map(json.dumps, shown[key])) + "\n]" for key in sorted(lists)]
-    return "{\n" + ",\n".join(lines) + "\n}\n"
-
-
 def _sealed(certificate: Certificate) -> Certificate:
     text = json.dumps({**certificate, "sha256": ""}, sort_keys=True)
     return {**certificate, "sha256": hashlib.sha256(text.encode()).hexdigest()}

@@ -135,7 +135,8 @@ def list_catalogue() -> None:
 @orders("Orders at which statements about n are executed and the formulas proved, e.g. 1-8.")
 @form(about.FORMATS, "How the report is written.")
 @click.option("-o", "output", type=options.Place(dir_okay=False), help="File to write; else stdout.")
-@click.option("--check", is_flag=True, help="Write nothing; exit 1 if the file of -o is not what would be written.")
+@click.option("--data", "beside", is_flag=True, help="Write the facts too, beside the file of -o, with ending .json.")
+@click.option("--check", is_flag=True, help="Write nothing; exit 1 if a file is not what would be written.")
 @click.option(
     "--certificates", type=options.Place(dir_okay=False),
     help="JSON file to write: what each decision rests on, for tools/check_certificates.py.",

@@ -12,14 +12,14 @@ import click
 
 from .. import about
 from ..maps import Cayley
-from ..output import files
+from ..output import facts, files
 from ..output.tables import columns
 from ..papers import ORDERS, PAPERS, ClaimError, Paper, Sheet, SheetError, Status, check_sheets, claim_alone, load
 from ..papers import verify as decide
-from ..papers.report import FORMATS, Report, as_text
+from ..papers.report import FORMATS, Report, as_text, data
 from ..proof import citing, proofs, theorems
 from . import display, options
-from .certificates import as_lines, certified
+from .certificates import certified
 
 WRONG = (Status.ERRATUM, Status.FALSE, Status.UNDECIDED)
 """Statuses for which --strict exits with 1."""
@@ -28,7 +28,7 @@ WRONG = (Status.ERRATUM, Status.FALSE, Status.UNDECIDED)
 def verify(
     sheets: tuple[str, ...], paper: str | None, claim: str | None, letters: tuple[str, ...], domain: str | None,
     seconds: float, equations: str | None, orders: tuple[int, ...], form: str, output: Path | None,
-    check: bool, certificates: Path | None, strict: bool, max_n: int,
+    beside: bool, check: bool, certificates: Path | None, strict: bool, max_n: int,
 ) -> None:  # fmt: skip
     """Run the command; parameters are its options."""
     options.require_cap(orders, max_n)
@@ -38,8 +38,8 @@ def verify(
         raise click.UsageError("--let and --domain belong to --claim")
     if (sheets or claim is not None) and orders:
         raise click.UsageError("-n belongs to the papers: in a file, n is a letter of the kind order")
-    if check and output is None:
-        raise click.UsageError("--check needs the file that -o names")
+    if (check or beside) and output is None:
+        raise click.UsageError(f"{'--check' if check else '--data'} needs the file that -o names")
     if certificates is not None and (check or certificates == output):
         raise click.UsageError("--certificates writes a file: leave out --check, and name another file than -o")
     papers, stale = [p for p in PAPERS if paper in (None, p.slug)], []
@@ -51,10 +51,11 @@ def verify(
     text = as_text(report, columns()) if form == "text" and output is None else FORMATS[form](report)
     if output is None:
         click.echo(text, nl=False)
-    elif check:
-        stale = [d for d in files.compare(output.parent, {output.name: text}) if d.path == output]
     else:
-        files.write(output.parent, {output.name: text}, force=True)
+        texts = facts.beside(output, text, data(report)) if beside else {output.name: text}
+        stale = facts.stale(output, texts) if check else []
+    if output is not None and not check:
+        files.write(output.parent, texts, force=True)
         click.echo(f"{output}: {summary(report)}", err=True)
     if certificates is not None:
         _certify(certificates, report, orders)
@@ -104,7 +105,7 @@ def _of_sheets(sheets: Sequence[Sheet], equations: list[str] | None, seconds: fl
 
 def _certify(file: Path, report: Report, orders: tuple[int, ...]) -> None:
     shown = certified(report.results, report.proofs, orders or ORDERS)
-    files.write(file.parent, {file.name: as_lines(shown)}, force=True)
+    files.write(file.parent, {file.name: facts.json_rows(**shown)}, force=True)
     click.echo(f"{file}: {shown['certified']} certificates, {shown['uncertified']} decisions without", err=True)
 
 

@@ -121,7 +121,7 @@ def draw(compared: Sequence[Compared], file: Path) -> None:
     matplotlib.use("Agg")
     from matplotlib import pyplot
 
-    figure, axes = pyplot.subplots(2, 2, figsize=(11, 8), sharex=True, layout="constrained")
+    figure, axes = pyplot.subplots(2, 2, figsize=(8.2, 7), sharex=True, layout="constrained")
     for index, row in enumerate(compared):
         angles = [min(row.edge, 4 * math.pi) * k / 300 for k in range(300)]
         found = [stretch(row.chart.phi, angle) for angle in angles]
@@ -135,8 +135,9 @@ def draw(compared: Sequence[Compared], file: Path) -> None:
     axes[1, 1].set_yscale("log")
     for axis in axes[1]:
         axis.set_xlabel("α")
-    figure.legend(*axes[0, 0].get_legend_handles_labels(), loc="outside right upper")
-    figure.savefig(file, dpi=110, metadata={"Software": None} if file.suffix == ".png" else None)
+    figure.legend(*axes[0, 0].get_legend_handles_labels(), loc="outside lower center", ncols=5, frameon=False)
+    with matplotlib.rc_context({"svg.hashsalt": "dualcay"}):  # equal data give equal bytes
+        figure.savefig(file, metadata={"Date": None, "Creator": None} if file.suffix == ".svg" else None)
     pyplot.close(figure)
 
 

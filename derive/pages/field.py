@@ -12,7 +12,7 @@ from collections import Counter
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
-from ..output import files
+from ..output import facts
 from ..output.progress import bar
 from ..papers import SECONDS, Result, Status
 from ..papers.report.content import example
@@ -75,8 +75,13 @@ def page(library: Sequence[Document]) -> str:
     lines.append(SCORE_HEAD.format(found=scores["found"], missed=scores["missed"], alarms=scores["false alarm"]))
     lines += [f"| {_thread(of.on(r)['report'])} | {_link(of, r)} | {of.score(r)} |" for of, r in every if of.score(r)]
     lines += ["\n## All formulas", *(line for of in library for line in _claims(of))]
-    lines += ["\n## To cite a document\n", "```bibtex", *(of.about["bibtex"] for of in library), "```", ""]
+    lines += ["\n## To cite a document\n", "```bibtex", *(_in_lines(of.about["bibtex"]) for of in library), "```", ""]
     return "\n".join(lines)
+
+
+def _in_lines(bibtex: str) -> str:
+    """Return an entry with a line for each field."""
+    return re.sub(r", (?=\w+ = \{)", ",\n  ", bibtex)
 
 
 def _counts(library: Sequence[Document]) -> Iterator[str]:
@@ -92,9 +97,9 @@ def _counts(library: Sequence[Document]) -> Iterator[str]:
 
 def _wrong(of: Document, result: Result) -> Iterator[str]:
     """Yield the lines of a wrong formula: both forms, numbers, and code that has it too."""
-    entry, facts = result.equation, of.on(result)
+    entry, known = result.equation, of.on(result)
     yield f'<a id="{anchor(result)}"></a>\n\n#### {of.slug} {entry.number}\n'
-    yield f"{_at(entry.at, of.place(result))}. Error: {facts.get('error', 'see the numbers')}.\n"
+    yield f"{_at(entry.at, of.place(result))}. Error: {known.get('error', 'see the numbers')}.\n"
     yield f"- As it stands: {_maths(entry.printed)}"
     if result.corrected:
         printed, corrected = differing_sides(result)
@@ -103,7 +108,7 @@ def _wrong(of: Document, result: Result) -> Iterator[str]:
         yield f"- Here {terms}"
     if result.counterexample is not None:
         yield f"- Its sides differ at `{'; '.join(example(result.counterexample, entry))}`"
-    for code in facts.get("code", ()):
+    for code in known.get("code", ()):
         where = f"{code['source']}, {code['at']}"
         yield f"- The same in code: {_at(where, Place.of(where, where))}: {code['error']}."
     if entry.remark:
@@ -185,15 +190,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return 2
     with bar(sum(len(sheet.entries()) for sheet in read)) as step:
         library = decided(read, options.seconds, step)
-    texts = {output.name: page(library), output.with_suffix(".json").name: as_json(library)}
-    if not options.check:
-        files.write(output.parent, texts, force=True)
-        return 0
-    known = {output.parent / name for name in texts}
-    stale = [found.path for found in files.compare(output.parent, texts) if found.path in known]
-    for path in stale:
-        print(f"{path} is stale; accept with:  python -m derive.pages.field -o {output}", file=sys.stderr)
-    return 1 if stale else 0
+    texts = facts.beside(output, page(library), as_json(library))
+    return facts.deliver(output, texts, options.check, "derive.pages.field")
 
 
 if __name__ == "__main__":

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import re
 import tomllib
 from collections.abc import Callable, Mapping, Sequence
@@ -10,6 +9,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from ..output.facts import json_rows
 from ..output.progress import no_op
 from ..papers import SECONDS, Result, Sheet, Status, check_sheets, load
 from ..papers.language.written import written
@@ -146,4 +146,4 @@ def facts(of: Document, result: Result) -> dict[str, Any]:
 def as_json(library: Sequence[Document]) -> str:
     """Return the facts about all equations as JSON."""
     rows = [facts(of, result) for of in library for result in of.results]
-    return json.dumps({"schema": SCHEMA, "formulas": rows}, indent=1, ensure_ascii=False) + "\n"
+    return json_rows(schema=SCHEMA, formulas=rows)

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import chain
 
+from ..output.facts import json_rows
 from ..proof.certificate import certificate
 from ..proof.identity import Proof
 from ..proof.notation import latex
@@ -21,7 +22,7 @@ each one. A certificate holds the polynomials of a proof, which `tools/check_cer
 toolkit (`dualcay verify --certificates FILE`). Coq shares nothing with the toolkit; it proves the theorems of `proofs/`
 over any commutative ring and for every n (`make machine-proofs`). The groups are those of the
 [formula sheet](sheet.md). An entry below has premises and method, and what Coq leaves out. Numbers are those of
-equations in CP23 (Condurache and Popa 2023).
+equations in CP23 (Condurache and Popa 2023). [Its facts](theorems.json) are there as JSON, too.
 """
 
 ENTRIES = """## For every order
@@ -83,6 +84,24 @@ def page(general: Iterable[Proof], at_order: Iterable[Proof], controls: Mapping[
         named, theorems = ", ".join(f"`{name}`" for name in functions), ", ".join(covered.theorems)
         lines.append(f"| {named} | {covered.validation} | {theorems} | {covered.only_validated} |")
     return "\n".join([*lines, ""])
+
+
+def as_json(general: Sequence[Proof], controls: Mapping[str, int]) -> str:
+    """Return the facts about the theorems as JSON."""
+    known = {proof.name: proof for proof in general}
+    rows = [
+        {
+            "name": proof.name, "id": anchor(proof), "scope": proof.scope, "status": proof.status,
+            "claim": [{"latex": equation.latex, "equations": list(equation.numbers)} for equation in proof.claim],
+            "premises": [premise.equation.latex for premise in proof.premises],
+            "conditions": [condition.latex for condition in proof.conditions], "method": proof.method,
+            "residues": len(proof.residues), "certificate": not isinstance(certificate(proof, known), str),
+            "coq": list(in_coq(proof).theorems), "controls": controls[proof.title],
+            "functions": FUNCTIONS.get(proof.name, "").replace("`", "").split(", ") if proof.name in FUNCTIONS else [],
+        }
+        for proof in general
+    ]  # fmt: skip
+    return json_rows(schema=1, theorems=rows)
 
 
 def anchor(proof: Proof) -> str:

@@ -13,9 +13,9 @@ from itertools import chain
 from pathlib import Path
 
 from ..maps import Cayley
-from ..output import files
+from ..output import facts
 from ..output.progress import bar
-from ..pages.theorems import page
+from ..pages.theorems import as_json, page
 from .controls import Control, controls, controls_at, controls_of
 from .displacement_theorems import CLOSED_AT
 from .identity import ALL_ORDERS, Proof
@@ -32,8 +32,8 @@ SHOWN = 3
 def main(arguments: Sequence[str] | None = None) -> int:
     """Prove everything and run the controls, print failures and counts, and write or compare the page of theorems."""
     parser = argparse.ArgumentParser(prog="python -m derive.proof", description="Prove everything, see controls fail.")
-    parser.add_argument("-o", "--output", type=Path, help="page of theorems to write")
-    parser.add_argument("--check", action="store_true", help="compare the page instead")
+    parser.add_argument("-o", "--output", type=Path, help="page of theorems to write, with JSON beside it")
+    parser.add_argument("--check", action="store_true", help="compare both instead")
     options = parser.parse_args(arguments)
     with bar(2 + 2 * len(ORDERS)) as step:
         step("theorems")
@@ -55,8 +55,11 @@ def main(arguments: Sequence[str] | None = None) -> int:
         print(line, file=sys.stderr)
     if wrong or missed:
         return 1
-    text = page(general, again[SHOWN], Counter(control.proof.title for control in altered))
-    return _deliver(text, options.output, options.check)
+    if options.output is None:
+        return 0
+    count = Counter(control.proof.title for control in altered)
+    texts = facts.beside(options.output, page(general, again[SHOWN], count), as_json(general, count))
+    return facts.deliver(options.output, texts, options.check, "derive.proof")
 
 
 def at_order(n: int) -> tuple[Proof, ...]:
@@ -68,15 +71,6 @@ def at_order(n: int) -> tuple[Proof, ...]:
 def controlled_at(n: int) -> tuple[Control, ...]:
     """Return all controls at an order."""
     return (*controls_at(Cayley(n)), *controls_of(Cayley(n)))
-
-
-def _deliver(text: str, output: Path | None, check: bool) -> int:
-    if output and not check:
-        files.write(output.parent, {output.name: text}, force=True)
-    elif output and any(found.path == output for found in files.compare(output.parent, {output.name: text})):
-        print(f"{output} is stale; accept with:  python -m derive.proof -o {output}", file=sys.stderr)
-        return 1
-    return 0
 
 
 if __name__ == "__main__":

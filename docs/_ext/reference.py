@@ -5,6 +5,7 @@ from __future__ import annotations
 import inspect
 import math
 import re
+import textwrap
 from pathlib import Path
 from typing import Any
 
@@ -23,9 +24,11 @@ from derive.papers.language.operations import OPERATIONS
 from dualcay import cayley2
 from dualcay.rotation import cayley2 as rotation
 
-from . import function_pages, reference_figures
+from . import chart_examples, function_pages, reference_figures
 
 GENERATED = "reference/generated"
+CODE = 98
+"""Characters in a line of code at a width of 1280 px."""
 HOMES = (dualcay, cayley2, rotation)
 """Modules in which the docstrings' bare names are looked up, after the module of the docstring."""
 
@@ -120,7 +123,8 @@ def c_page() -> str:
     """Return the arrays and the functions of the C headers for poses, in Markdown."""
     header = c_header()
     (arrays,) = re.findall(r"then the dual part:\n//\n((?://   .+\n)+)", header)
-    parts = ["```text", arrays.replace("//   ", ""), "```\n"]
+    lines = arrays.replace("//   ", "").splitlines()
+    parts = ["```text", *(textwrap.fill(line, CODE, subsequent_indent=" " * 22) for line in lines), "```\n"]
     for title, found in c_functions(header):
         parts.append(f"## {title[0].upper()}{title[1:]}\n")
         for name, parameters, comment in found:
@@ -173,6 +177,7 @@ def context() -> dict[str, Any]:
         "figures": {name: draw.__name__ for name, draw in reference_figures.FIGURES.items()},
         "formulas": function_pages.formulas(),
         "targets": {name: function_pages.targets(name) for name in functions(cayley2)},
+        "examples": {name: chart_examples.script(name, charts()) for name in functions(cayley2)},
         "captions": {name: inspect.getdoc(draw) for name, draw in reference_figures.FIGURES.items()},
     }
 

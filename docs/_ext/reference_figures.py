@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any
 
 import matplotlib
 import numpy as np
-from matplotlib import image
 from matplotlib.figure import Figure
 
 from dualcay import unwrap as continued
@@ -60,34 +60,43 @@ FIGURES: Mapping[str, Callable[[Any], None]] = {
 """Figure of a function, by the function's name."""
 
 
-GAP, PANEL = 5, 0.3
-"""Width of the ground between two panels in pixels at least, and share of a panel in the picture at least."""
+PANEL = re.compile(r'<g id="axes_\d+">\s*(?:<g id="patch_\d+">\s*<path d="(.*?)")?', re.DOTALL)
+SIZE = re.compile(r'<svg (.*?)width="[^"]*" height="[^"]*" viewBox="0 0 (\S+) ([^"]+)"')
+MARGIN, LABELS = 6.0, 48.0
+"""Ground beyond the edge of a panel, and room for the labels at the left of a panel, in points."""
 
 
-def first_panel(picture: Any) -> Any:
-    """Return the part of a picture before its first gap: the left panel, or the upper one of a column.
+def first_panel(picture: str) -> str:
+    """Return a picture of Matplotlib cut at the edge of its first panel, the left one or the upper one.
 
     Examples
     --------
-    >>> picture = np.zeros((40, 100, 3))
-    >>> picture[:, 45:55] = 1  # white ground between two panels
-    >>> first_panel(picture).shape
-    (40, 45, 3)
+    >>> panel = '<g id="axes_{0}"><g id="patch_{0}"><path d="M {1} 90 L {2} 90 L {2} 10 z"/></g></g>'
+    >>> head = '<svg width="200pt" height="100pt" viewBox="0 0 200 100">'
+    >>> first_panel(head + panel.format(1, 10, 90) + panel.format(2, 110, 190) + "</svg>").partition(">")[0]
+    '<svg width="96pt" height="100pt" viewBox="0 0 96 100"'
     """
-    white = (picture[..., :3] > 0.99).all(-1) | (picture[..., 3:] < 0.01).any(-1)
-    for axis in (1, 0):
-        empty = white.all(1 - axis)
-        size = len(empty)
-        for end in range(int(PANEL * size), size - int(PANEL * size)):
-            if empty[end : end + GAP].all():
-                return picture[:, :end] if axis else picture[:end]
-    return picture
+    numbers = [list(map(float, re.findall(r"-?\d+\.?\d*", path))) for path in PANEL.findall(picture)[:2]]
+    size = SIZE.search(picture)
+    assert size is not None
+    width, height = map(float, size.group(2, 3))
+    if len(numbers) > 1:
+        first, second = numbers
+        if not first:  # a panel in space has no box
+            width = min(second[::2]) - LABELS
+        elif min(second[::2]) > max(first[::2]):
+            width = max(first[::2]) + MARGIN
+        else:
+            height = max(first[1::2]) + MARGIN
+    cut = f'width="{width:g}pt" height="{height:g}pt" viewBox="0 0 {width:g} {height:g}"'
+    return SIZE.sub(lambda found: f"<svg {found[1]}{cut}", picture, count=1)
 
 
 def draw(folder: Path) -> None:
     """Write every figure into a folder, and a thumbnail of each example."""
-    for path in sorted((folder.parents[1] / "figures").glob("*.png")):
-        image.imsave(folder / f"thumbnail_{path.name}", first_panel(image.imread(path)))
+    for path in sorted((folder.parents[1] / "figures").glob("*.svg")):
+        cut = first_panel(path.read_text(encoding="utf-8"))
+        (folder / f"thumbnail_{path.name}").write_text(cut, encoding="utf-8")
     with matplotlib.rc_context({"svg.hashsalt": "dualcay", "svg.fonttype": "path"}):
         for function in set(FIGURES.values()):
             figure = Figure(figsize=(6, 3), layout="constrained")

@@ -43,3 +43,20 @@ document.addEventListener("DOMContentLoaded", () => {
   });
   first.before(field);
 });
+
+// A reader who comes from the page of a chart sees the examples of functions in that chart.
+document.addEventListener("DOMContentLoaded", () => {
+  const asked = new URLSearchParams(location.search).get("chart");
+  if (asked) sessionStorage.setItem("chart", asked);
+  const chart = sessionStorage.getItem("chart"), data = document.getElementById("chart-examples");
+  const found = data && JSON.parse(data.textContent)[chart];
+  if (found === undefined || found === null || chart === "cayley2") return;
+  const article = document.querySelector(".bd-article"), block = article.querySelector("dl.py div.highlight > pre");
+  if (found) block.innerHTML = found;
+  const texts = document.createTreeWalker(article, NodeFilter.SHOW_TEXT);
+  for (let node; node = texts.nextNode();)
+    if (!node.parentNode.closest("details, script, a")) node.data = node.data.replaceAll("cayley2", chart);
+  const back = document.createElement("p");
+  back.innerHTML = `<a href="${location.pathname}?chart=cayley2">Show the example of cayley2</a>`;
+  block.closest("div.highlight").after(back);
+});

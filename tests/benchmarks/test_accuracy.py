@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from dataclasses import replace
 from pathlib import Path
 
@@ -9,6 +10,7 @@ import numpy as np
 import pytest
 
 from benchmarks.accuracy import certified, curves, measure, report
+from benchmarks.accuracy.__main__ import DOCS
 from tests.support import cases, errors, rotations, sampling
 from tests.support.accuracy import Trial
 from tests.support.calculus import EVERY
@@ -108,6 +110,14 @@ def test_missed_gates_are_named() -> None:
     other = report.beside(page, curves.Drawn([("b.png", "Another. More.")], ["Elsewhere."]))
     assert other.partition(report.BESIDE)[0] == page.partition(report.BESIDE)[0]
     assert other.endswith(f"{report.BESIDE}\n\nElsewhere.\n\nAnother. More.\n\n![Another](b.png)\n")
+
+
+def test_facts_beside_the_page_are_its_tables() -> None:
+    page = (DOCS / "accuracy.md").read_text(encoding="utf-8")
+    assert report.data(page) == (DOCS / "accuracy.json").read_text(encoding="utf-8")
+    rows = json.loads(report.data(report.page(measurements(1.1), curves.Drawn([], []))))["errors"]
+    row = next(row for row in rows if row["function"] == "quaternion" and not row["beyond half a turn"])
+    assert (row["gate"], row["errors"]) == ("4", {"n = 2": [4.4, "uniform"]})
 
 
 @pytest.mark.parametrize(("panel", "index"), [("small", 40), ("whole", 31), ("to pi", 20)])

@@ -19,12 +19,13 @@ import sympy
 import derive
 import dualcay
 from benchmarks import page as speed
+from benchmarks import style
 from benchmarks.accuracy import report as accuracy
 from derive.cli.commands import cli
 from derive.codegen.signatures import POSES
 from derive.codegen.targets import TARGETS
 from derive.proof import theorems
-from docs._ext import function_pages, links, printed, publication, reference, reference_figures
+from docs._ext import chart_examples, dark, function_pages, links, printed, publication, reference, reference_figures
 from dualcay import cayley2
 from dualcay.rotation import cayley2 as rotation
 from tests.support import compilers, examples, packages, pages
@@ -157,8 +158,30 @@ def test_lists_tell_what_each_function_takes_gives_and_where_it_is() -> None:
 
 
 def test_pictures_and_results_of_examples() -> None:
-    for one in (printed.with_result, reference_figures.first_panel):
-        assert examples.failures(one.__doc__ or "", one.__name__, {**vars(printed), **vars(reference_figures)}) == ""
+    for home, name in (
+        (printed, "with_result"), (reference_figures, "first_panel"), (dark, "darkened"), (chart_examples, "session"),
+    ):  # fmt: skip
+        assert examples.failures(getattr(home, name).__doc__ or "", name, vars(home)) == ""
+
+
+def test_examples_in_other_charts_are_theirs() -> None:
+    found = chart_examples.examples("pose", ["exponential", "scaled1"])
+    assert "0.878" in found["exponential"]  # cos(0.5)
+    assert chart_examples.examples("twist", ["lambert"]) == {"lambert": ""}
+    # the switch of a sine keeps another side of its claim, and order 8 has eight branches
+    assert "lambert" not in chart_examples.examples("switch", ["lambert", "exponential"])
+
+
+DRAWN = [path for path in sorted(DOCS.rglob("*.svg")) if {"examples", "generated", "_static"}.isdisjoint(path.parts)]
+
+
+@pytest.mark.parametrize("path", DRAWN, ids=lambda path: path.stem)
+def test_pictures_fit_the_article_with_text_of_nine_points(path: Path) -> None:
+    """Text of Matplotlib has its size in points, divided by 100, as scale."""
+    text = path.read_text(encoding="utf-8")
+    sizes = [100 * float(scale) for scale in re.findall(r" scale\((\S+) -", text)]
+    assert float(re.findall(r'<svg [^>]*?width="([\d.]+)pt"', text)[0]) <= 72 * style.WIDTH + 0.1
+    assert min(sizes, default=9) >= 9
 
 
 def test_toolkit_page_names_the_symbols_and_parts_of_charts() -> None:

@@ -7,7 +7,7 @@ import queue
 import re
 import subprocess
 import threading
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from functools import partial
 from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
@@ -27,8 +27,13 @@ FLAGS = (
 )
 SECONDS = 240  # time for a page to come back
 
+CUT = r"""const cut = page => [...page.querySelectorAll("article pre")]
+  .filter(node => node.scrollWidth > node.clientWidth + 1).map(node => node.textContent.slice(0, 60));
+"""
+"""Script that finds code which is wider than its place."""
+
 FRAME = r"""<body style="margin: 0"><iframe width="WIDTH" height="900" style="border: 0"></iframe><script>
-const frame = document.querySelector("iframe");
+CUTconst frame = document.querySelector("iframe");
 const probe = async () => {
   const view = frame.contentWindow, page = frame.contentDocument, all = what => [...page.querySelectorAll(what)];
   await view.MathJax?.startup?.promise;
@@ -37,11 +42,13 @@ const probe = async () => {
   for (let node; node = texts.nextNode();)
     if (/\\[([a-z]/.test(node.data) && !node.parentNode.closest("pre, code, script, mjx-container"))
       raw.push(node.data);
-  const words = page.createTreeWalker(page.querySelector("article"), NodeFilter.SHOW_TEXT), first = [];
+  const words = page.createTreeWalker(page.querySelector("article"), NodeFilter.SHOW_ALL), first = [], second = [];
   for (let node, place = page.createRange(); node = words.nextNode();) {
-    place.selectNodeContents(node);
+    const said = node.nodeType === 3 ? node.data : node.tagName === "IMG" ? `[${node.alt}]` : "";
+    if (!said) continue;
+    place.selectNode(node);
     const { top, bottom } = place.getBoundingClientRect();
-    if (bottom > top && top < view.innerHeight) first.push(node.data);
+    if (bottom > top && top < 2 * view.innerHeight) (top < view.innerHeight ? first : second).push(said);
   }
   const target = view.location.hash && page.getElementById(view.location.hash.slice(1));
   const seen = {
@@ -56,6 +63,11 @@ const probe = async () => {
     overflow: Math.max(...all("html, body, main, main div:has(> article), article")
       .map(node => node.scrollWidth - node.clientWidth)),
     first: first.join(" ").replace(/\s+/g, " "),
+    second: second.join(" ").replace(/\s+/g, " "),
+    cut: view.innerWidth < 1000 ? [] : cut(page),
+    pictures: all("article img").filter(node => node.src.includes(".svg") && node.checkVisibility()
+      && node.classList.contains("only-dark") === (page.documentElement.dataset.theme !== "dark")).length,
+    unfolded: all("#gates table").filter(node => node.checkVisibility()).length * page.URL.includes("benchmarks"),
     shown: !target || target.checkVisibility(),
     seconds: view.performance.now() / 1000,
   };
@@ -63,13 +75,26 @@ const probe = async () => {
 };
 frame.addEventListener("load", probe);
 frame.src = "PAGE" + location.hash;
-</script>"""
+</script>""".replace("CUT", CUT)
 """Page that holds another in a frame, since a window of Chromium is at least 500 px wide, and sends what it shows."""
+
+TOUR = r"""<body style="margin: 0"><iframe width="1280" height="900" style="border: 0"></iframe><script>
+CUTconst frame = document.querySelector("iframe"), pages = PAGES, found = {};
+frame.addEventListener("load", () => {
+  for (const folded of frame.contentDocument.querySelectorAll("details")) folded.open = true;
+  const wide = cut(frame.contentDocument);
+  if (wide.length) found[frame.contentWindow.location.pathname] = wide;
+  if (pages.length) frame.src = pages.pop(); else fetch("/seen", {method: "POST", body: JSON.stringify(found)});
+});
+frame.src = pages.pop();
+</script>""".replace("CUT", CUT)
+"""Page that shows all pages of the site one by one, and sends the code that is cut."""
 
 GOOD = {
     "unrendered": 0, "wrong": [], "raw": [], "elsewhere": [], "overflow": 0, "console": [], "failed": [], "shown": True,
+    "cut": [], "pictures": 0, "unfolded": 0,
 }  # fmt: skip
-"""Contents of a sound page."""
+"""Contents of a sound page: code fits a wide screen, pictures are those of the theme, gates are folded."""
 
 
 NOTES = ('"[PST]: Changed to auto mode', '"[PST]: Scrolled sidebar')
@@ -134,35 +159,51 @@ def look(server: Server, page: str, folder: Path, width: int = 1280, theme: str 
     server.failed.clear()
     dark = ("--blink-settings=preferredColorScheme=0",) if theme == "dark" else ()
     name, _, target = page.partition("#")
-    url = f"http://127.0.0.1:{server.server_port}/frame?{width}:{name}#{target}"
-    log = folder / "log"
+    seen, found = browse(server, f"frame?{width}:{name}#{target}", folder, dark)
+    return seen | {"console": [line for line in found if not line.startswith(NOTES)], "failed": [*server.failed]}
+
+
+def browse(server: Server, page: str, folder: Path, flags: Sequence[str] = ()) -> tuple[dict[str, object], list[str]]:
+    """Return what a frame sends from a browser, and the lines of the console."""
+    url, log = f"http://127.0.0.1:{server.server_port}/{page}", folder / "log"
     with log.open("w") as stream:
-        command = [str(browsers.find()), *FLAGS, *dark, f"--user-data-dir={folder}/profile", url]
+        command = [str(browsers.find()), *FLAGS, *flags, f"--user-data-dir={folder}/profile", url]
         browser = subprocess.Popen(command, stdout=stream, stderr=stream)
         try:
             seen = server.seen.get(timeout=SECONDS)
         finally:
             browser.terminate()
             browser.wait(timeout=SECONDS)
-    found = re.findall(r"CONSOLE.*?\] (.*)", log.read_text(encoding="utf-8"))
-    return seen | {"console": [line for line in found if not line.startswith(NOTES)], "failed": [*server.failed]}
+    return seen, re.findall(r"CONSOLE.*?\] (.*)", log.read_text(encoding="utf-8"))
 
 
 FUNCTION = "reference/generated/dualcay.cayley2.tangent.html"
+IN_CHART = "reference/generated/dualcay.cayley2.pose.html?chart=exponential"
 FIRST = {
     "index.html": ("pose in six numbers", "pip install"),
     "tutorials/heavy_top.html": ("At the end you have", "download heavy_top.ipynb"),
     FUNCTION: ("dualcay.cayley2. tangent", "[source]", "Parameters"),
     "errata.html": ("What was decided", "erratum", "CP23 36"),
-    "benchmarks.html": ("Speed",),
+    "benchmarks.html": ("nanoseconds per pose", "[ns per pose against", "N = 1", "N = 100", "pose", "quaternion"),
+    IN_CHART: ("dualcay.exponential. pose",),
     "theorems.html": ("Order n: maps and twists", "theorem formula certificate Coq"),
     "coming_from/gtsam.html": ("GTSAM dualcay", "gtsam.Pose3.Expmap(v).matrix()", "exponential.pose(v)"),
     "accuracy.html": ("digits that are right", "pose of v, below half a turn"),
     "assurance.html": ("target proved executed",),
 }
 """Words on the first screen of a page, on a wide screen and on a phone."""
+SECOND = {
+    "benchmarks.html": ("from_pose", "compose", "fastest other", "Slower than others in:"),
+    IN_CHART: ("0.878", "Show the example of cayley2"),
+    "accuracy.html": ("[Error of a pose against its angle", "Gates"),
+    "errata.html": ("printed, and right", "(56)"),
+    "theorems.html": ("norm", "functions that rest on it"),
+}
+"""Words on the first two screens of a page."""
 LINKED = ("errata.html#condurache-popa-2023-112", "field.html#kindr-411", "theorems.html#rates-of-v")
-WITHOUT_FORMULAS = {"index.html", "benchmarks.html", "accuracy.html", "assurance.html", "coming_from/gtsam.html"}
+WITHOUT_FORMULAS = {
+    IN_CHART, "index.html", "benchmarks.html", "accuracy.html", "assurance.html", "coming_from/gtsam.html",
+}  # fmt: skip
 
 
 # The layout depends on the width alone, and colours on the theme alone.
@@ -174,6 +215,28 @@ def test_page_is_sound(server: Server, tmp_path: Path, page: str, width: int, th
     assert bool(seen["formulas"]) == (page not in WITHOUT_FORMULAS)
     assert {name: seen[name] for name in GOOD} == GOOD
     assert [words for words in FIRST.get(page, ()) if words not in str(seen["first"])] == []
+    two = f"{seen['first']} {seen['second']}"
+    assert [words for words in SECOND.get(page, ()) if words not in two] == []
+
+
+@pytest.mark.parametrize("gone", ["[ns per pose against", "quaternion", "Slower than others in:"])
+def test_first_screen_without_its_answer_is_seen(server: Server, tmp_path: Path, gone: str) -> None:
+    sound = (SITE / "benchmarks.html").read_text(encoding="utf-8")
+    late = sound.replace("<h1>", '<div style="height: 3000px"></div><h1>').replace("<details>", "<details open>")
+    server.further["benchmarks_late.html"] = late
+    seen = look(server, "benchmarks_late.html", tmp_path)
+    assert gone not in f"{seen['first']} {seen['second']}"
+    assert seen["unfolded"]
+
+
+def test_code_fits_a_wide_screen_on_every_page(server: Server, tmp_path: Path) -> None:
+    names = [page.relative_to(SITE).as_posix() for page in sorted(SITE.rglob("*.html"))]
+    looked = [name for name in names if not name.startswith(("_modules", "formula-sheet"))]
+    wide, line = FUNCTION.replace("tangent", "wide"), "wide " * 99
+    server.further[wide] = (SITE / FUNCTION).read_text(encoding="utf-8").replace("<h1>", f"<pre>{line}</pre><h1>")
+    server.further["tour"] = TOUR.replace("PAGES", json.dumps([*looked, wide]))
+    found, _ = browse(server, "tour", tmp_path)
+    assert found == {f"/{wide}": [line[:60]]}
 
 
 def test_text_below_the_first_screen_is_not_seen(server: Server, tmp_path: Path) -> None:
@@ -192,6 +255,7 @@ FAULTS = {
     "wide element": ("overflow", '<div style="width: 2000px">wide</div>'),
     "other host": ("elsewhere", '<img src="https://example.org/picture.png">'),
     "error of a script": ("console", "<script>missing()</script>"),
+    "picture of the other theme": ("pictures", '<img class="only-dark" style="display: block !important" src="a.svg">'),
     "missing picture": ("failed", '<img src="missing.png">'),
 }
 

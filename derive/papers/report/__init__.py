@@ -6,7 +6,7 @@ from collections.abc import Callable
 from functools import partial
 
 from .content import Report
-from .pages import as_json, page
+from .pages import as_json, data, page
 from .text import as_text
 
 FORMATS: dict[str, Callable[[Report], str]] = {
@@ -17,4 +17,4 @@ FORMATS: dict[str, Callable[[Report], str]] = {
     "latex": partial(page, "tex"),
 }
 
-__all__ = ["FORMATS", "Report", "as_text"]
+__all__ = ["FORMATS", "Report", "as_text", "data"]

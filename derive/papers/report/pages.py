@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import re
 
+from ...output.facts import json_rows
 from ...output.templates import holes, render
 from ..language.operator_table import define
 from ..language.printed import ATOM, LIST, POWER, PRODUCT, RELATION, SUM, Term, latex
@@ -13,6 +14,8 @@ from .content import Report, command, details, example, extent, label, place, re
 from .plain import escape
 
 SCHEMA = 3
+LEFT_OUT = ("line", "source", "reading_count", "capped")
+"""Fields that say nothing about the equation."""
 PROOF_FIELDS = ("statement", "scope", "status", "method")
 COLOUR = "#b3261e"
 CHANGED = {
@@ -34,6 +37,16 @@ def as_json(report: Report) -> str:
         "errors": [problem.as_json() for problem in report.problems],
     }
     return json.dumps(data, indent=2, ensure_ascii=False) + "\n"
+
+
+def data(report: Report) -> str:
+    """Return the facts about the equations as JSON for the data beside a page: what is empty is left out."""
+    rows = []
+    for result in report.results:
+        facts = {name: value for name, value in result.as_json().items() if value and name not in LEFT_OUT}
+        facts["readings"] = [reading for reading in facts["readings"] if reading["latex"] != result.printed]
+        rows.append({name: value for name, value in facts.items() if value})
+    return json_rows(schema=SCHEMA, equations=rows)
 
 
 def page(form: str, report: Report) -> str:

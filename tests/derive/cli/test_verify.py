@@ -50,6 +50,7 @@ def test_json_with_the_proofs_of_the_orders_asked_for() -> None:
         (("verify", "-n", "0"), 2, "an order is an integer n >= 1"),
         (("verify", "-n", "65"), 2, "above the cap 64"),
         (("verify", "--check"), 2, "--check needs the file that -o names"),
+        (("verify", "--data"), 2, "--data needs the file that -o names"),
         ((*K10, "--eq", "22", "-o", "/proc/nothing/errata.md"), 3, "cannot write"),
     ],
 )
@@ -61,21 +62,26 @@ def test_exit_codes_and_messages(arguments: tuple[str, ...], code: int, message:
     assert done.stderr.count("\n") <= 4  # at most four lines: usage, hint at help, empty line, message
 
 
-def test_file_is_written_checked_and_reported_stale(tmp_path: Path) -> None:
+def test_files_are_written_checked_and_reported_stale(tmp_path: Path) -> None:
     page = tmp_path / "out" / "errata.md"
-    write = (*K10, "--eq", "22", "--format", "markdown", "-o", str(page))
+    write = (*K10, "--eq", "14,22", "--format", "markdown", "-o", str(page), "--data")
     assert dualcay(*write, "--check").returncode == 1
     assert not page.exists()
     done = dualcay(*write)
     assert (done.returncode, done.stdout) == (0, "")
-    assert re.fullmatch(rf"{page}: 1 holds-if, \d+ proofs\n", done.stderr)
+    assert re.fullmatch(rf"{page}: 1 erratum, 1 holds-if, \d+ proofs\n", done.stderr)
     assert dualcay(*write, "--check").returncode == 0
-    page.write_text(page.read_text(encoding="utf-8").replace("(22)", "(23)"), encoding="utf-8")
-    stale = dualcay(*write, "--check")
-    assert stale.returncode == 1
-    assert "+<details><summary><b>(22)</b>" in stale.stdout
-    assert f"accept with:  dualcay {shlex.join(write)}\n" in stale.stderr
-    assert [p.name for p in page.parent.iterdir()] == ["errata.md"]
+    facts = json.loads(page.with_suffix(".json").read_text(encoding="utf-8"))
+    assert [row["status"] for row in facts["equations"]] == ["erratum", "holds-if"]
+    for file in (page, page.with_suffix(".json")):
+        text = file.read_text(encoding="utf-8")
+        file.write_text(text.replace("22", "23"), encoding="utf-8")
+        stale = dualcay(*write, "--check")
+        assert stale.returncode == 1
+        assert f"+++ {file}" in stale.stdout or str(file) in stale.stdout
+        assert f"accept with:  dualcay {shlex.join(write)}\n" in stale.stderr
+        file.write_text(text, encoding="utf-8")
+    assert sorted(p.name for p in page.parent.iterdir()) == ["errata.json", "errata.md"]
 
 
 def test_two_processes_write_the_same_page(tmp_path: Path) -> None:

@@ -10,7 +10,7 @@ import pytest
 
 from derive.codegen.signatures import PUBLIC
 from derive.pages.coverage import COVERAGE
-from derive.pages.theorems import page
+from derive.pages.theorems import as_json, page
 from derive.proof import __main__ as command
 from derive.proof import notation as m
 from derive.proof import theorems
@@ -34,19 +34,9 @@ def claimed() -> tuple[Proof, ...]:
     return decided(command.CLAIMS)
 
 
-def test_page_is_current(claimed: tuple[Proof, ...]) -> None:
+def test_page_and_its_facts_are_current(claimed: tuple[Proof, ...]) -> None:
     assert page(claimed, command.at_order(command.SHOWN), COUNTS) == TEXT
-
-
-def test_altered_page_is_stale(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    place = tmp_path / "theorems.md"
-    assert command._deliver(TEXT, place, check=True) == 1
-    assert not place.exists()
-    assert command._deliver(TEXT, place, check=False) == 0
-    assert place.read_text(encoding="utf-8") == TEXT
-    assert command._deliver(TEXT, place, check=True) == 0
-    assert command._deliver(TEXT.replace("(57)", "(58)"), place, check=True) == 1
-    assert f"accept with:  python -m derive.proof -o {place}" in capsys.readouterr().err
+    assert as_json(claimed, COUNTS) == PAGE.with_suffix(".json").read_text(encoding="utf-8")
 
 
 def test_proved_control_is_an_error(
