@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import json
 import queue
 import re
@@ -206,9 +207,14 @@ WITHOUT_FORMULAS = {
 }  # fmt: skip
 
 
-# The layout depends on the width alone, and colours on the theme alone.
-@pytest.mark.parametrize(("width", "theme"), [(1280, "light"), (390, "dark")])
-@pytest.mark.parametrize("page", [*FIRST, *LINKED])
+@pytest.mark.parametrize(
+    ("page", "width", "theme"),
+    [
+        *itertools.product(FIRST, (1280, 390), ("light", "dark")),
+        # The layout depends on the width alone, and colours on the theme alone.
+        *((page, *view) for page in LINKED for view in ((1280, "light"), (390, "dark"))),
+    ],
+)
 def test_page_is_sound(server: Server, tmp_path: Path, page: str, width: int, theme: str) -> None:
     seen = look(server, page, tmp_path, width, theme)
     assert (seen["width"], seen["theme"]) == (width, theme)
