@@ -15,6 +15,10 @@ class Sharp(Arithmetic):
     sqrt = staticmethod(math.sqrt)
 
     @staticmethod
+    def reciprocals(like: float, *integers: int) -> tuple[float, ...]:
+        return tuple(1 / integer for integer in integers)
+
+    @staticmethod
     def tan(angle: float) -> float:
         with mpmath.workdps(40):
             return float(mpmath.tan(angle))

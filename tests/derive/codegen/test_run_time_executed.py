@@ -50,8 +50,8 @@ ALTERED = {
         "numpy", "interop.py", "np.cross(position, vector)", "np.cross(vector, position)", "from_ros, component 3",
     ),
     "fraction of a multiple": (
-        "numpy", "_multiple.py", "value * divisor.denominator / divisor.numerator",
-        "value * divisor.numerator / divisor.denominator", "switch_event of a multiple",
+        "numpy", "_multiple.py", 'f" * {divisor.denominator}"', 'f" * {divisor.numerator}"',
+        "switch_event of a multiple",
     ),
     "rate at a switch": (
         "numpy", "_branches.py", "kernels.rate(moved, kernels.twist(array", "kernels.rate(array, kernels.twist(array",
