@@ -43,7 +43,8 @@ TICKS = (1000, 2000, 5000, 10000), (5, 10, 20, 50)
 """Marks on the axes of evaluations and of milliseconds."""
 
 FLOATS = SimpleNamespace(
-    sqrt=math.sqrt, tan=math.tan, sin=math.sin, cos=math.cos, stack=list, where=lambda c, a, b: a if c else b
+    sqrt=math.sqrt, tan=math.tan, sin=math.sin, cos=math.cos, stack=list, where=lambda c, a, b: a if c else b,
+    reciprocals=lambda like, *integers: [1 / integer for integer in integers],
 )
 
 

@@ -24,7 +24,7 @@ UNCOMBINABLE = (TypeError, AttributeError, ValueError, KeyError, IndexError)
 
 REPLACED = {
     "plus": "minus", "minus": "plus", "Re": "Du", "Du": "Re", "sin": "cos", "cos": "sin", "tan": "cot", "cot": "tan",
-    "sin²": "cos²", "cos²": "sin²", "tan²": "sin²",
+    "cos²": "tan²", "tan²": "cos²",
 }
 """Replacement for each operator, by name."""
 SWAPPED = ("minus", "over", "power", "implies", "cross", "dyad", "atan2", "commutator", "vector")

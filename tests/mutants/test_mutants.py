@@ -156,7 +156,7 @@ EVERY = 97
 
 
 def entry(statement: Term = SQUARE, **rest: object) -> Entry:
-    return equation("1", "title", 1, statement, said="in words", **rest)
+    return equation("1", statement, title="title", line=1, said="in words", **rest)
 
 
 def fates(tried: Entry, statement: Term) -> list[str]:
@@ -210,9 +210,9 @@ def test_every_mutant_of_an_identity_is_refuted() -> None:
 
 def test_wrong_conditions_and_too_narrow_domains_are_noticed() -> None:
     quotient = equal(a / b * b, a)
-    for domain in ({"condition": nonzero(Re(b))}, {"claimed": nonzero(Re(b)), "stated": (1, "for Re b ≠ 0")}):
+    for domain in ({"condition": nonzero(Re(b))}, {"claimed": nonzero(Re(b)), "stated": "for Re b ≠ 0"}):
         assert SURVIVED not in fates(entry(quotient, **domain), quotient)
-    narrow = entry(claimed=nonzero(Re(b)), stated=(1, "for Re b ≠ 0"))
+    narrow = entry(claimed=nonzero(Re(b)), stated="for Re b ≠ 0")
     assert dict(trials(narrow, SQUARE))["claimed domain dropped"]().kind == SURVIVED
 
 
