@@ -148,8 +148,13 @@ def test_library_functions_match_the_number_type() -> None:
 
     text = "#include <math.h>\n#define ROOT sqrt\ndouble f(double a) { return ROOT(a); }"
     assert run(text, Number(-1)) == "root"
-    with pytest.raises(CError, match=r"unit\.c:3: 'Fraction' object has no attribute 'sqrt'"):
-        run(text, Fraction(-1))
+    with pytest.raises(CError, match=r"unit\.c:3: 'complex' object has no attribute 'sqrt'"):
+        run(text, 1j)
+
+
+def test_library_functions_take_the_constant_of_a_selection() -> None:
+    text = "#include <math.h>\ndouble f(double a) { return sqrt(a < 0 ? 0.25 : a); }"
+    assert run(text, Fraction(-1)) == Fraction(1, 2)
 
 
 GEOMETRY = """

@@ -5,6 +5,7 @@ from __future__ import annotations
 import io
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
@@ -12,15 +13,22 @@ from pcpp import Preprocessor
 from pycparser import CParser, c_ast
 from pycparser.c_parser import ParseError
 
+from ..decimals import Decimal
 from .memory import CError
+
+
+def _number(value: Any) -> Any:
+    """Return a number that has functions; where a selection leaves a constant, only an exact one is at hand."""
+    return Decimal(value) if type(value) is Fraction else value
+
 
 LIBRARY: Mapping[str, tuple[int, Callable[..., Any]]] = {
     "fabs": (1, abs),
-    "sqrt": (1, lambda a: a.sqrt()),
-    "tan": (1, lambda a: a.tan()),
-    "atan2": (2, lambda a, b: a.arctan2(b)),
-    "expm1": (1, lambda a: a.expm1()),
-    "log1p": (1, lambda a: a.log1p()),
+    "sqrt": (1, lambda a: _number(a).sqrt()),
+    "tan": (1, lambda a: _number(a).tan()),
+    "atan2": (2, lambda a, b: _number(a).arctan2(b)),
+    "expm1": (1, lambda a: _number(a).expm1()),
+    "log1p": (1, lambda a: _number(a).log1p()),
 }
 """Functions of the C library by name: the number of arguments, and the method to call on the numbers."""
 
