@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 from types import ModuleType
 from typing import Any, NamedTuple
 
@@ -31,6 +32,24 @@ def rounded(exact: Any, dtype: Any) -> np.ndarray:
     return np.array(flat, dtype=np.longdouble).reshape(exact.shape).astype(dtype)
 
 
+class Repeated:
+    """Kernel module whose batches are repeated to many rows, as most programs treat a few poses otherwise."""
+
+    ROWS = 32
+
+    def __init__(self, module: ModuleType) -> None:
+        self._module = module
+
+    def __getattr__(self, name: str) -> Callable[..., Any]:
+        return partial(self._call, getattr(self._module, name))
+
+    def _call(self, function: Callable[..., Any], first: np.ndarray, *rest: Any) -> Any:
+        times, size = -(-self.ROWS // len(first)), len(first)
+        many = [np.tile(a, (times, *[1] * (a.ndim - 1))) if isinstance(a, np.ndarray) else a for a in (first, *rest)]
+        found = function(*many)
+        return tuple(part[:size] for part in found) if isinstance(found, tuple) else found[:size]
+
+
 class Measured:
     """Samples of one regime, drawn by `seed` or `given`: vectors, and second arguments for functions that need them.
 
@@ -49,7 +68,7 @@ class Measured:
         seed: int = 0,
         given: tuple[np.ndarray, ...] | None = None,
     ) -> None:
-        self.module, self.order, self.regime, self.dtype = module, order, regime, dtype
+        self.module, self.order, self.regime, self.dtype = Repeated(module), order, regime, dtype
         self.oracle = oracle_of(order, digits)
         self.drawn = {"dtype": dtype, "count": count, "seed": seed}
         self.given = given
