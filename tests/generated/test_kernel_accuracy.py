@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 
 from derive.codegen.signatures import ROTATIONS
+from dualcay import _runtime
 from tests.support import cases, errors, kernels, rotations, sampling
 from tests.support.accuracy import FUNCTIONS, Trial
 from tests.support.calculus import CALCULUS, EVERY, CalculusTrial
@@ -37,6 +38,14 @@ def test_double_precision(order: int, regime: str) -> None:
 # All types run the same programs, so few cases suffice: orders and regimes in which types once differed.
 OTHER = [(n, r) for n, r in CASES if n in (2, 3) and r in ("uniform", "middle band", "below pi", "shadow")]
 OTHER_CASE = pytest.mark.parametrize(("order", "regime"), OTHER, ids=[f"n={n}, {regime}" for n, regime in OTHER])
+
+
+def test_batches_of_trials_run_recorded_programs() -> None:
+    """Expect more poses than run one by one, since float32 runs in double precision there."""
+    given: list[np.ndarray] = []
+    trial = Trial(SimpleNamespace(pose=lambda v: given.append(v) or v), 3, "uniform", np.float32)
+    assert trial.module.pose(trial.v).tolist() == trial.v.tolist()
+    assert len(given[0]) > _runtime.POINTWISE_MAX
 
 
 @OTHER_CASE

@@ -18,8 +18,6 @@ from tests.support import errors, families, sampling
 from tests.support.rotation_arguments import ROUNDINGS
 from tests.support.subjects import OUTSIDE, REGIMES, RIGHT, SINGULAR, Subject, subject
 
-CROWD = 25  # size at which a batch runs its recorded program
-
 SIDED = ("principal", "shadow", "shadow_jacobian", "to_screw")
 """Functions with two right results at half a turn."""
 OF_AXIS = ("shadow", "shadow_jacobian", "to_screw")
@@ -47,7 +45,7 @@ class Call:
         """Return why the single result or one in a batch is wrong; an empty string if both are right."""
         function = getattr(self.chart.module, self.row.name)
         alone = _tuple(function(*self.given))
-        crowd = _tuple(function(*(np.repeat(array[None], CROWD, axis=0) for array in self.given)))
+        crowd = _tuple(function(*(np.repeat(array[None], sampling.CROWD, axis=0) for array in self.given)))
         among = tuple(part[-1] for part in crowd)
         reason = self._wrong(among)
         if alone[0].dtype == np.float32 and not self.row.real and self.chart.singles_in_double:

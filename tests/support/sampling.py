@@ -14,6 +14,8 @@ import numpy as np
 
 # Number of poses per regime, few because the oracle is slow; every (order, regime) has its own seed.
 COUNT = 3
+# Number of poses in batches that run recorded programs; fewer poses may run one by one, those of float32 in double.
+CROWD = 25
 
 Angles = Callable[[np.random.Generator, int, int], np.ndarray]
 

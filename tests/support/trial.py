@@ -33,9 +33,7 @@ def rounded(exact: Any, dtype: Any) -> np.ndarray:
 
 
 class Repeated:
-    """Kernel module whose batches are repeated to many rows, as most programs treat a few poses otherwise."""
-
-    ROWS = 32
+    """Kernel module whose batches are repeated, so that their recorded programs run."""
 
     def __init__(self, module: ModuleType) -> None:
         self._module = module
@@ -44,7 +42,7 @@ class Repeated:
         return partial(self._call, getattr(self._module, name))
 
     def _call(self, function: Callable[..., Any], first: np.ndarray, *rest: Any) -> Any:
-        times, size = -(-self.ROWS // len(first)), len(first)
+        times, size = -(-sampling.CROWD // len(first)), len(first)
         many = [np.tile(a, (times, *[1] * (a.ndim - 1))) if isinstance(a, np.ndarray) else a for a in (first, *rest)]
         found = function(*many)
         return tuple(part[:size] for part in found) if isinstance(found, tuple) else found[:size]
