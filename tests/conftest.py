@@ -14,10 +14,12 @@ from filelock import FileLock
 
 from tests.support import browsers, compilers
 
+NO_GPU = "a GPU of NVIDIA, with CuPy and PyTorch, is not found"
 MISSING = {
     marker: reason
     for marker, found, reason in [
         ("torch", importlib.util.find_spec("torch"), "PyTorch is not installed (extra 'torch')"),
+        ("gpu", shutil.which("nvidia-smi") and all(map(importlib.util.find_spec, ("cupy", "torch"))), NO_GPU),
         ("browser", browsers.find(), browsers.MISSING),
         ("compiler", compilers.find(), compilers.MISSING),
         ("coq", shutil.which("coqc"), "Coq is not installed (apt-get install coq)"),
@@ -31,7 +33,8 @@ MISSING = {
 os.environ.setdefault("DUALCAY_NATIVE", "0")
 
 
-SELECTED = {"browser", "compiler", "coq", "smoke", "thorough", "torch"}  # markers of this project that select tests
+SELECTED = {"browser", "compiler", "coq", "gpu", "smoke", "thorough", "torch"}
+"""Markers of this project that select tests."""
 
 
 def _require_named(items: list[pytest.Item]) -> None:

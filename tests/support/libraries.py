@@ -37,6 +37,18 @@ def _torch() -> Convert:
     return lambda array: torch.asarray(np.array(array, order="C"))  # a writable copy, of a number too
 
 
+def _torch_on_gpu() -> Convert:
+    import torch
+
+    return lambda array: torch.asarray(np.array(array, order="C"), device="cuda")
+
+
+def _cupy() -> Convert:
+    import cupy
+
+    return cupy.asarray
+
+
 LIBRARIES: dict[str, Callable[[], Convert]] = {
     "numpy": lambda: np.asarray,
     "array-api-strict": _strict,
@@ -44,7 +56,16 @@ LIBRARIES: dict[str, Callable[[], Convert]] = {
     "jax.jit": _jax,
     "dask": _dask,
     "torch": _torch,
+    "torch on a GPU": _torch_on_gpu,
+    "cupy": _cupy,
 }
+
+
+def on_host(array: Any) -> np.ndarray:
+    """Return an array of any library as a NumPy array, from the memory of a GPU too."""
+    for copied in ("get", "cpu"):  # methods of CuPy and of PyTorch
+        array = getattr(array, copied)() if hasattr(array, copied) else array
+    return np.asarray(array)
 
 
 QUICKLY = {"xla_backend_optimization_level": 0}
@@ -76,6 +97,6 @@ class Through:
                 static = tuple(i for i, v in enumerate(values) if isinstance(v, int))
                 called = _compiled(function, static, self.optimized)
             found = called(*(self.convert(v) if isinstance(v, np.ndarray) else v for v in values), **options)
-            return tuple(map(np.asarray, found)) if isinstance(found, tuple) else np.asarray(found)
+            return tuple(map(on_host, found)) if isinstance(found, tuple) else on_host(found)
 
         return call

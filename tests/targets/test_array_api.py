@@ -18,13 +18,16 @@ import dualcay
 from derive.codegen.targets.array_api import ArrayApi
 from derive.codegen.validation import Library, replay
 from derive.maps import Cayley
-from tests.support import sampling
+from tests.support import libraries, sampling
 from tests.support.accuracy import FUNCTIONS, Trial
 from tests.support.kernels import load
 from tests.support.libraries import Through
 from tests.support.signatures import SIGNATURES, assert_nearly_equal, components_first, components_last, inputs
 
-LIBRARIES = ["numpy", "array-api-strict", "jax", "jax.jit", "dask", pytest.param("torch", marks=pytest.mark.torch)]
+ON_GPU = [pytest.param(library, marks=pytest.mark.gpu) for library in ("torch on a GPU", "cupy")]
+LIBRARIES = [
+    "numpy", "array-api-strict", "jax", "jax.jit", "dask", pytest.param("torch", marks=pytest.mark.torch), *ON_GPU
+]  # fmt: skip
 LIBRARY = pytest.mark.parametrize("library", LIBRARIES)
 # libraries based on NumPy warn of NaN and infinity at singular points
 pytestmark = pytest.mark.filterwarnings("ignore:(invalid value|divide by zero):RuntimeWarning")
@@ -32,6 +35,8 @@ pytestmark = pytest.mark.filterwarnings("ignore:(invalid value|divide by zero):R
 SOME = ("uniform", "pure translation", "shadow")
 """Regimes for libraries that compute with NumPy; few suffice, since validation also computes with NumPy."""
 REGIMES = (*SOME, "angle 1e-7", "below pi", "translation 1e6")
+OWN_FUNCTIONS = ("torch", "torch on a GPU", "cupy")
+"""Quick libraries that do not compute with NumPy; every regime is tried."""
 SLOW = ("jax", "jax.jit", "dask")
 """Slow libraries, which compile or plan every operation; tests use one order, one type and few functions."""
 
@@ -49,8 +54,16 @@ FEW = ("pose", "compose", "shadow")
 def test_gates_of_the_oracle_hold_in_every_library(array_api, library):
     module = Through(array_api(3), library, optimized=True)
     for name in COMPILED if library in SLOW else FUNCTIONS:
-        for regime in REGIMES if library == "torch" else SOME[:1] if library == "dask" else SOME:
+        for regime in REGIMES if library in OWN_FUNCTIONS else SOME[:1] if library == "dask" else SOME:
             Trial(module, 3, regime).check(name)
+
+
+@pytest.mark.parametrize("library", ON_GPU)
+def test_results_stay_on_the_gpu(array_api, library):
+    convert, module, kernel = libraries.LIBRARIES[library](), array_api(2), load(2)
+    for name in SIGNATURES:
+        values = [convert(value) for value in inputs(kernel, name, 2, (5,))]
+        assert getattr(module, name)(*values).device == values[0].device, name
 
 
 @pytest.mark.thorough

@@ -10,13 +10,16 @@ import pytest
 
 from derive.codegen.signatures import PUBLIC, ROTATIONS
 from tests.support.kernels import load
-from tests.support.libraries import LIBRARIES, QUICKLY
+from tests.support.libraries import LIBRARIES, QUICKLY, on_host
 from tests.support.rotation_arguments import arguments
 from tests.support.signatures import SIGNATURES, assert_nearly_equal, inputs
 
 SEVERAL = [name for name, row in PUBLIC.items() if name in SIGNATURES and len(row.arguments) > 1]
 OF_ROTATIONS = [name for name, row in ROTATIONS.public.items() if len(row.arguments) > 1]
-FOREIGN = ["jax", "dask", pytest.param("torch", marks=pytest.mark.torch)]
+FOREIGN = [
+    "jax", "dask", pytest.param("torch", marks=pytest.mark.torch),
+    *(pytest.param(library, marks=pytest.mark.gpu) for library in ("torch on a GPU", "cupy")),
+]  # fmt: skip
 
 V, W = np.array([0.1, 0.2, -0.3, 1.0, -2.0, 0.5]), np.array([0.4, -0.1, 0.2, 0.3, 0.6, -0.7])
 
@@ -44,14 +47,18 @@ def rotations(package):
 
 
 def assert_taken(function, values, convert):
-    """Require, for any mix with NumPy arrays, that results are arrays of the library and equal the NumPy results."""
-    expected, kind = several(function(*values)), type(convert(V))
+    """Require, for any mix with NumPy arrays, that results are arrays of the library, on its device, and right."""
+    expected, like = several(function(*values)), convert(V)
     for chosen in product([True, False], repeat=len(values)):
         if any(chosen):
             given = [convert(value) if one else value for value, one in zip(values, chosen, strict=True)]
             for found, wanted in zip(several(function(*given)), expected, strict=True):
-                assert type(found) is kind
-                assert_nearly_equal(np.asarray(found), wanted, eps=40)
+                assert (type(found), place(found)) == (type(like), place(like))
+                assert_nearly_equal(on_host(found), wanted, eps=40)
+
+
+def place(array):
+    return getattr(array, "device", None)  # arrays of Dask have none
 
 
 def several(found):
@@ -95,7 +102,7 @@ def test_components_first(module, strict):
 
 @pytest.mark.parametrize("library", FOREIGN)
 def test_other_libraries_take_numpy_arguments(module, library):
-    assert_taken(module.twist, [V, W], LIBRARIES[library]())
+    assert_taken(module.twist, [np.array([V, W]), np.array([W, V])], LIBRARIES[library]())
 
 
 @pytest.mark.parametrize("name", ["convert", "convert_jacobian"])
