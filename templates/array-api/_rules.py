@@ -14,7 +14,8 @@ from typing import Any
 
 from ._chart import Array, Call, Chart, Components
 from ._interface import SPACE, SPACE_INV
-from ._runtime import call, components, computed, functions_of
+from ._libraries import functions_of
+from ._runtime import call, components, computed
 from ._slopes import STEPS, share_of_angle, share_of_square
 
 

@@ -185,13 +185,6 @@ def test_the_package_imports_no_array_library(array_api):
         assert not re.search(r"^\s*(?:import|from) (?:numpy|jax|torch|dask)|\beval\(", text, re.MULTILINE), path.name
 
 
-def test_cupy(array_api):
-    cupy = pytest.importorskip("cupy", reason="CuPy needs a GPU")
-    v = sampling.poses(3, "uniform")
-    got = array_api(3).from_pose(array_api(3).pose(cupy.asarray(v)))
-    assert_nearly_equal(cupy.asnumpy(got), load(3).from_pose(load(3).pose(v)), eps=40)
-
-
 def arguments() -> list[np.ndarray]:
     rng = np.random.default_rng(0)
     root = rng.normal(size=(5, 6, 6))

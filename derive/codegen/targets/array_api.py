@@ -64,7 +64,7 @@ class ArrayApi(PythonTarget):
 
     name = "array-api"
     options = "axis: int = -1"
-    files = (*PythonTarget.files, "_jax.py", "_rules.py", "_torch.py")
+    files = (*PythonTarget.files, "_jax.py", "_libraries.py", "_rules.py", "_torch.py")
     machinery = Machinery(out=False, silent=False)
     checks = (*PythonTarget.checks, runtime.steps, slopes, runtime.rules)
 

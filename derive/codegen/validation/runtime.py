@@ -185,7 +185,7 @@ RULED = {
 
 def steps(at: Loaded) -> Iterator[Case]:
     """Cases of the scalars of exp(δ) beside the rules: values and slopes, errors times 10¹⁶."""
-    programs, m = at.part("_slopes").STEPS.scalars, at.part("_runtime").Objects(np, np.empty(0, object))
+    programs, m = at.part("_slopes").STEPS.scalars, at.part("_libraries").Objects(np, np.empty(0, object))
     formulas: dict[str, Callable[[Any], Any]] = {
         "f": lambda x: mpmath.sinc(mpmath.sqrt(x)),
         "g": lambda x: mpmath.sinc(mpmath.sqrt(x) / 2) ** 2 / 2,
