@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from benchmarks.accuracy import certified, curves, measure, report
+from benchmarks.accuracy import certified, curves, measure, report, worst
 from benchmarks.accuracy.__main__ import DOCS
 from tests.support import cases, errors, rotations, sampling
 from tests.support.accuracy import Trial
@@ -92,8 +92,8 @@ def measurements(scale: float) -> list[measure.Measurement]:
 
 @pytest.mark.smoke
 def test_missed_gates_are_named() -> None:
-    assert report.short_of_gate(measurements(0.9)) == []
-    found = report.short_of_gate(measurements(1.1))
+    assert worst.short_of_gate(measurements(0.9)) == []
+    found = worst.short_of_gate(measurements(1.1))
     assert "quaternion, n = 2, float64, uniform: 4.4 eps, gate 4 FALLS SHORT" in found
     assert "from_angle_axis, rotations alone, n = 2, float64, shadow: 17.6 eps, gate 16 FALLS SHORT" in found
     drawn = curves.Drawn([("a.png", "A caption. More.")], ["Standing."])
@@ -114,8 +114,8 @@ def test_missed_gates_are_named() -> None:
 
 def test_facts_beside_the_page_are_its_tables() -> None:
     page = (DOCS / "accuracy.md").read_text(encoding="utf-8")
-    assert report.data(page) == (DOCS / "accuracy.json").read_text(encoding="utf-8")
-    rows = json.loads(report.data(report.page(measurements(1.1), curves.Drawn([], []))))["errors"]
+    assert worst.data(page) == (DOCS / "accuracy.json").read_text(encoding="utf-8")
+    rows = json.loads(worst.data(report.page(measurements(1.1), curves.Drawn([], []))))["errors"]
     row = next(row for row in rows if row["function"] == "quaternion" and not row["beyond half a turn"])
     assert (row["gate"], row["errors"]) == ("4", {"n = 2": [4.4, "uniform"]})
 
