@@ -229,7 +229,7 @@ class Cayley(BranchesOfOrder):
             return one, sine * one
         negative = m.name("qneg", m.less(at.q, 0))
         kept = m.name("kept", m.where(negative, 0, sine))
-        turned = m.name("qp", m.where(m.less(kept + m.div(at.p, NOISE), kept), -at.q, at.q))
+        turned = m.name("qp", m.where(m.less(m.beside(kept, m.div(at.p, NOISE)), kept), -at.q, at.q))
         backwards = m.both(m.equal(at.q, 0), m.less(y, 0))
         return m.name("sign", one * m.where(m.either(m.less(turned, 0), backwards), -1, 1)), sine * one
 

@@ -14,6 +14,7 @@ import sys
 from collections.abc import Sequence
 from fractions import Fraction
 from itertools import product
+from operator import add
 from typing import Any
 
 from ._chart import Array, Call, Chart, Components, Shape
@@ -65,6 +66,8 @@ class Namespace:
     def part(self, array: Array, index: Any) -> Array:
         """Return one component, an array over the batch."""
         return array[index]
+
+    beside = staticmethod(add)
 
     def reciprocals(self, like: Any, *integers: int) -> list[Any]:
         """Return numbers that take the type of the arguments."""
