@@ -264,12 +264,17 @@ def _one_by_one(
 def _beside_edge(kernel: Kernel, chart: Chart, results: Sequence[Result]) -> bool:
     """Tell whether rounding to float32 may put a vector beyond the edge; the recorded program keeps it inside."""
     if kernel.real and kernel.shape in VECTORS:
-        for a, b, c, *_ in results:
-            # with roundings of v and of the sum of squares, v·v is up to 5 roundings larger
-            (inside,) = chart.plain.inside(Floats, (a * a + b * b + c * c) * (1 + 5 * ROUNDOFF))
-            if 0 < 1 - inside < 64 * ROUNDOFF:  # shorter by four times as many; farther out are no vectors of the chart
+        limit = _limit(chart)
+        for a, b, c, *_ in results:  # roundings of v and of the sum of squares change v·v by up to 5 ROUNDOFF
+            if abs(a * a + b * b + c * c - limit) < 8 * ROUNDOFF * limit:
                 return True
     return False
+
+
+@cache
+def _limit(chart: Chart) -> float:
+    """Return v·v at the edge of a chart."""
+    return float(chart.plain.coefficient(Floats, chart.singular_angles[-1])[0]) ** 2
 
 
 def _rounded(results: Sequence[Any], dtype: np.dtype[Any]) -> Array:
@@ -347,7 +352,7 @@ def as_array(name: str, value: ArrayLike, part: Shape, axis: int, real: bool = F
     if axis not in (-1, 0):
         raise ValueError(f"axis must be -1 (components last) or 0 (components first), got {axis!r}")
     array = np.asarray(value)
-    if array.dtype != FLOAT:
+    if array.dtype != FLOAT and array.dtype != SINGLE:
         array = _supported(name, array, real)
     found = array.shape[: len(part)] if axis == 0 else array.shape[array.ndim - len(part) :]
     if found != part:

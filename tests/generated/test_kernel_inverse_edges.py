@@ -232,6 +232,8 @@ def no_result_is_beyond_the_edge(poses: ModuleType, module: Any, dtype: Any) -> 
     else:
         for k in range(1, module.CHART.branches):
             found |= {f"shadow {k}": module.shadow(tiny, k), f"branch {k}": module.from_tensor(module.tensor(tiny), k)}
+    for name in ("from_exponential", "from_angle_axis"):  # the edge has the side of its axis, despite rounding
+        assert ((found[name] * u).sum(axis=-1) > 0).all(), name
     for name, v in found.items():
         if name != "interpolate" or name_of(poses) in FOLDS:
             assert np.isfinite(module.quaternion(v)).all(), name
