@@ -103,7 +103,7 @@ def half_sine(q: Quaternion, cosine: Coefficient, m: Arithmetic) -> tuple[Any, C
     return still, square, sine
 
 
-def beside(
+def side_of_step(
     e: Quaternion, size: Coefficient, turn: Coefficient, m: Arithmetic
 ) -> tuple[Coefficient, Any, Coefficient, Coefficient]:
     """Return the sign with which e is a step of at most half a turn from q̂(v), and data of ``α/2`` of sign times e.
@@ -257,7 +257,7 @@ class OrderChart(BranchesOfOrder, QuaternionChart):
             side, cosine = half_cosine(e, size, m)
             below, c = size, m.name("known", m.div(cosine, size))
         else:
-            side, beyond_half, more, square = beside(e, size, turn, m)
+            side, beyond_half, more, square = side_of_step(e, size, turn, m)
             half = m.name("half", m.sqrt(m.div(m.div(more, size), 2)))
             sine = m.name("sine", m.div(m.sqrt(m.where(beyond_half, square, 1 + square)), size))
             c = m.name("known", m.where(beyond_half, m.div(sine, 2 * half), half))
