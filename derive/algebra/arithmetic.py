@@ -40,6 +40,10 @@ class Arithmetic:
         """Return 1/b as a number like another one; programs hold it as a constant."""
         return self.div(like - like + 1, b)
 
+    def beside(self, size: Coefficient, term: Coefficient, /) -> Coefficient:
+        """Return size + term, for comparison with the size: equal if the data's precision loses the term."""
+        return size + term
+
     abs = staticmethod(abs)
     sqrt = staticmethod(functions.sqrt)
     tan = staticmethod(functions.tan)

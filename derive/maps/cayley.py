@@ -23,7 +23,7 @@ from .cayley_scalars import CHAIN_POWER, HORNER_LIMIT, CayleyScalars
 from .chart_formulas import Map
 from .families import alpha
 from .formula import IsotropicMap, QuaternionMap
-from .order_charts import BranchesOfOrder, Derivatives, beside, cayley_gain, near_pole
+from .order_charts import BranchesOfOrder, Derivatives, cayley_gain, near_pole, side_of_step
 from .polynomials import FIELD, Pair, Triple, rational, require_order, x
 from .scalars import NOISE
 
@@ -207,7 +207,7 @@ class Cayley(BranchesOfOrder):
             return m.div(1, e.scalar), 0
         if self.order > 2:
             return super().followed(x, along, e, size, turn, m)
-        side, beyond, more, square = beside(e, size, turn, m)
+        side, beyond, more, square = side_of_step(e, size, turn, m)
         return m.name("factor", m.where(beyond, side * more, side) / m.where(beyond, square, more)), 0
 
     def back(self, x: Coefficient, fi: Coefficient, m: Arithmetic) -> Pair:
@@ -229,7 +229,7 @@ class Cayley(BranchesOfOrder):
             return one, sine * one
         negative = m.name("qneg", m.less(at.q, 0))
         kept = m.name("kept", m.where(negative, 0, sine))
-        turned = m.name("qp", m.where(m.less(kept + m.div(at.p, NOISE), kept), -at.q, at.q))
+        turned = m.name("qp", m.where(m.less(m.beside(kept, m.div(at.p, NOISE)), kept), -at.q, at.q))
         backwards = m.both(m.equal(at.q, 0), m.less(y, 0))
         return m.name("sign", one * m.where(m.either(m.less(turned, 0), backwards), -1, 1)), sine * one
 

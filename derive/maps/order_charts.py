@@ -39,7 +39,7 @@ def beyond(x: Coefficient, table: Sequence[Coefficient], m: Arithmetic) -> tuple
     """
     first, *others = table[::3]
     # v at half a turn counts as principal despite rounding
-    beside = m.name("beside1", first + m.div(x - first, NOISE))
+    beside = m.name("beside1", m.beside(first, m.div(x - first, NOISE)))
     limits = [m.name("beyond1", m.less(first, beside))]
     limits += [m.name(f"beyond{j}", m.less(limit, x)) for j, limit in enumerate(others, 2)]
     cosine, sine = table[1:3]
@@ -81,7 +81,7 @@ def cayley_gain(n: int, q: Quaternion, size: Coefficient, m: Arithmetic) -> Coef
 
 def half_cosine(q: Quaternion, size: Coefficient, m: Arithmetic) -> Pair:
     """Return the sign of the scalar part, and their product; the sign is 1 if the part is noise, at half a turn."""
-    negative = m.less(size + m.div(q.scalar, NOISE_GIVEN), size)
+    negative = m.less(m.beside(size, m.div(q.scalar, NOISE_GIVEN)), size)
     sign = m.name("sign", m.where(negative, -1, 1))
     return sign, m.name("cos", sign * q.scalar)
 
@@ -103,7 +103,7 @@ def half_sine(q: Quaternion, cosine: Coefficient, m: Arithmetic) -> tuple[Any, C
     return still, square, sine
 
 
-def beside(
+def side_of_step(
     e: Quaternion, size: Coefficient, turn: Coefficient, m: Arithmetic
 ) -> tuple[Coefficient, Any, Coefficient, Coefficient]:
     """Return the sign with which e is a step of at most half a turn from q̂(v), and data of ``α/2`` of sign times e.
@@ -111,7 +111,7 @@ def beside(
     These are whether α is beyond half a turn, ``size (1 + |cos(α/2)|)``, and the square of vec e, NaN if it overflows.
     A factor of vec e with all digits divides by this square where α is beyond half a turn.
     """
-    side = m.name("side", m.where(m.less(1 + m.div(turn, NOISE_GIVEN), 1), -1, 1))
+    side = m.name("side", m.where(m.less(m.beside(1, m.div(turn, NOISE_GIVEN)), 1), -1, 1))
     cosine = m.name("cosine", side * e.scalar)
     beyond_half = m.name("beyondhalf", m.less(cosine, 0))
     square = m.name("ss", e.vector.dot(e.vector))
@@ -211,7 +211,9 @@ class OrderChart(BranchesOfOrder, QuaternionChart):
 
     def _folded(self, sine: Coefficient, cosine: Coefficient, m: Arithmetic) -> Pair:
         further = m.name("further", cosine)
-        side = m.name("side", m.where(m.less(further, 0), -1, 1))
+        # an edge where v is finite counts as within despite rounding
+        beyond = m.less(further, 0) if self.range.is_infinite else m.less(m.beside(1, m.div(further, NOISE)), 1)
+        side = m.name("side", m.where(beyond, -1, 1))
         r, slope, _ = self.phi_derivatives(m.name("sin", side * sine), m.name("cos", side * further), m)
         return m.name("r", r), m.name("slope", m.div(slope, 2 * self.order))
 
@@ -255,7 +257,7 @@ class OrderChart(BranchesOfOrder, QuaternionChart):
             side, cosine = half_cosine(e, size, m)
             below, c = size, m.name("known", m.div(cosine, size))
         else:
-            side, beyond_half, more, square = beside(e, size, turn, m)
+            side, beyond_half, more, square = side_of_step(e, size, turn, m)
             half = m.name("half", m.sqrt(m.div(m.div(more, size), 2)))
             sine = m.name("sine", m.div(m.sqrt(m.where(beyond_half, square, 1 + square)), size))
             c = m.name("known", m.where(beyond_half, m.div(sine, 2 * half), half))

@@ -33,6 +33,12 @@ Noise is below 16 to 32 eps of the sum. At half a turn, errors are up to 4 eps o
 NOISE_GIVEN = NOISE // 4
 """Divisor for noise in given quaternions and matrices: a side that inverse maps take is one that v keeps."""
 
+NOISE_OF_ANGLE = NOISE // 8
+"""Divisor for noise in a given angle at the edge, where φ has the side of θ = α/2n ≤ π/2.
+
+An angle within noise has a ``cos θ`` within noise: 8 π/2 roundings are less than the 32 of `NOISE` below 1.
+"""
+
 
 class scalar:
     """Scalar of a class with an arithmetic ``m``, computed once by its formula; its default name is the attribute's."""
@@ -121,7 +127,7 @@ class QuaternionChart(Chart):
         at = self.scalars(x, m)
         # at half a turn s is 0 up to rounding; for w > 0 keep the direction of v
         kept = m.name("kept", m.where(m.less(at.w, 0), 0, NOISE))
-        turned = m.name("turned", m.where(m.less(kept + at.s, kept), -at.w, at.w))
+        turned = m.name("turned", m.where(m.less(m.beside(kept, at.s), kept), -at.w, at.w))
         backwards = m.both(m.equal(at.w, 0), m.less(y, 0))
         one = m.name("one", at.s - at.s + 1)  # NaN where x overflows
         sign = m.name("sign", one * m.where(m.either(m.less(turned, 0), backwards), -1, 1))

@@ -10,6 +10,7 @@ are shared.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from operator import add
 from typing import Any
 
 import numpy as np
@@ -153,6 +154,8 @@ class Tape:
         else:
             differing = self._constant_xor(a, b, self.integer)
         return self.enter(np.bitwise_xor, self.enter(np.bitwise_and, differing, mask, mask=True), b, mask=truth)
+
+    beside = staticmethod(add)
 
     def reciprocals(self, like: Any, *integers: int) -> list[Number]:
         """Return constants of the dtype."""

@@ -4,8 +4,8 @@
 """Shared path of all kernel functions: check the arguments, run a form of the kernel, store the result.
 
 Compiled forms take batches of real floats of any size. Without them, a few poses run one by one on Python floats; for
-float32 the results are rounded once. Where float32 selects branches, and for longdouble, they run on NumPy's numbers.
-Larger batches and other dtypes run the recorded program of the kernel on arrays.
+float32 the results are rounded once, and terms that float32 would lose choose no branch. For longdouble they run on
+NumPy's numbers. Larger batches and other dtypes run the recorded program of the kernel on arrays.
 Objects (fractions, symbols, numbers of many digits) run the Python code of the kernel pose by pose, without conversion.
 """
 
@@ -18,6 +18,7 @@ from contextlib import nullcontext
 from fractions import Fraction
 from functools import cache
 from itertools import chain
+from operator import add
 from typing import Any
 
 import numpy as np
@@ -35,6 +36,12 @@ SINGLE = np.dtype(np.float32)
 COMPILED = (SINGLE, FLOAT, np.dtype(np.longdouble))
 """Dtypes that compiled forms take."""
 
+ROUNDOFF = 2.0**-24
+"""Unit roundoff of float32, the largest rounding error of a number as a share of it."""
+
+VECTORS = ((6,), (3,))
+"""Shapes of vectors of charts."""
+
 FACTORS = {"1": 1, "-1": -1, "0.5": 0.5, "-0.5": -0.5}
 """Factors of a frame; a recorded program knows them, and multiplies by 0.5 only."""
 
@@ -49,6 +56,7 @@ class Floats:
     def reciprocals(like: Any, *integers: int) -> Result:
         return _reciprocals(integers)
 
+    beside = staticmethod(add)
     abs = staticmethod(abs)
     sqrt = staticmethod(math.sqrt)
     tan = staticmethod(math.tan)
@@ -66,6 +74,21 @@ def _reciprocals(integers: tuple[int, ...]) -> Result:
     return tuple(1 / integer for integer in integers)
 
 
+class Singles(Floats):
+    """Functions that kernels call, for Python floats that hold data of float32."""
+
+    @staticmethod
+    def beside(size: float, term: float) -> float:
+        """Return size + term, or the size where float32 would: for terms up to half the spacing of its numbers there.
+
+        The spacing below a power of two is half of that above. Rounding the sum would also round a size between numbers
+        of float32, and any term could move it.
+        """
+        share, power = math.frexp(size)
+        half = math.ldexp(share and (1 if share > 0.5 or term > 0 else 0.5), power - 25)
+        return size if -half <= term <= half else size + term
+
+
 class Objects:
     """Functions that kernels call, for objects with their own ``sqrt``, ``tan`` and the like."""
 
@@ -73,6 +96,7 @@ class Objects:
     def reciprocals(like: Any, *integers: int) -> Result:
         return tuple((like - like + 1) / integer for integer in integers)
 
+    beside = staticmethod(add)
     abs = staticmethod(abs)
     sqrt = staticmethod(np.sqrt)
     tan = staticmethod(np.tan)
@@ -83,7 +107,15 @@ class Objects:
 
 
 class Scalars(Objects):
-    """Functions that kernels call, for NumPy's numbers of one dtype: float32 or longdouble."""
+    """Functions that kernels call, for NumPy's numbers of longdouble."""
+
+
+FUNCTIONS: dict[np.dtype[Any], type[Floats | Objects]] = {
+    np.dtype(np.longdouble): Scalars,
+    SINGLE: Singles,
+    FLOAT: Floats,  # last, for platforms where longdouble is equal to it
+}
+"""Functions by which a few poses of these dtypes run one by one."""
 
 
 def call(
@@ -176,31 +208,24 @@ def _single(kernel: Kernel, arrays: Sequence[Array]) -> bool:
     return single
 
 
-def _functions(kernel: Kernel, dtype: np.dtype[Any]) -> type[Floats | Objects] | None:
-    """Return the functions by which a few poses run one by one; None for complex numbers.
-
-    Selections of branches in float32 depend on its rounding, so that they run on NumPy's numbers.
-    """
-    if dtype == FLOAT or (dtype == SINGLE and not kernel.real):
-        return Floats
-    return Scalars if dtype in COMPILED else Objects if dtype.hasobject else None
-
-
 def _alone(kernel: Kernel, chart: Chart, arrays: Sequence[Array], table: tuple[str, ...]) -> Array | None:
     """Return the result for one pose of real floats; None if it is not finite or Python raises one of ``RAISED``."""
     dtype = arrays[0].dtype
+    functions = FUNCTIONS[dtype]
     try:
         extra = (constants(table, dtype),) if table else ()
-        if _functions(kernel, dtype) is Floats:
-            given = [(a if a.ndim == 1 else a.ravel()).tolist() for a in arrays]
-            found = kernel.plain(Floats, chart.plain, *given, *extra)
-            finite = math.isfinite(sum(found))
-        else:
+        if functions is Scalars:
             with np.errstate(all="ignore"):
                 found = kernel.plain(Scalars, chart.plain, *[list(a.ravel()) for a in arrays], *extra)
                 finite = math.isfinite(sum(found))
+        else:
+            given = [(a if a.ndim == 1 else a.ravel()).tolist() for a in arrays]
+            found = kernel.plain(functions, chart.plain, *given, *extra)
+            finite = math.isfinite(sum(found))
         # elsewhere the recorded program decides: without products with 0, it is finite in more places
-        return _rounded(found, dtype).reshape(kernel.shape) if finite else None
+        if not finite or (functions is Singles and chart.ends and _beside_edge(kernel, chart, [found])):
+            return None
+        return _rounded(found, dtype).reshape(kernel.shape)
     except RAISED:
         return None
 
@@ -215,13 +240,12 @@ def _one_by_one(
     table: tuple[str, ...],
 ) -> Array | None:
     """Return the result for a few poses of floats or for objects; None if the recorded program must run."""
-    functions = _functions(kernel, dtype)
+    functions = FUNCTIONS.get(dtype) or (Objects if dtype.hasobject else None)
     if functions is None or (functions is not Objects and math.prod(batch) > POINTWISE_MAX):
         return None
     extra = (constants(table, dtype),) if table else ()
     try:
-        kept = dtype if functions is Scalars else None
-        poses = zip(*[_poses(a, part, batch, axis, kept) for a, (_, part) in zip(arrays, kernel.arguments)])
+        poses = zip(*[_poses(a, part, batch, axis, dtype) for a, (_, part) in zip(arrays, kernel.arguments)])
         with np.errstate(all="ignore") if functions is Scalars else nullcontext():
             results = [kernel.plain(functions, chart.plain, *pose, *extra) for pose in poses]
             finite = functions is Objects or math.isfinite(sum(chain.from_iterable(results)))
@@ -229,12 +253,28 @@ def _one_by_one(
         if dtype.hasobject:
             raise
         return None
-    size = math.prod(kernel.shape)
-    if not finite:
+    if not finite or (functions is Singles and chart.ends and _beside_edge(kernel, chart, results)):
         return None
+    size = math.prod(kernel.shape)
     packed = _packed(results, size) if dtype.hasobject else _rounded(list(chain.from_iterable(results)), dtype)
     last = packed.reshape(batch + kernel.shape)
     return last if axis == -1 else np.ascontiguousarray(np.moveaxis(last, range(len(batch)), range(-len(batch), 0)))
+
+
+def _beside_edge(kernel: Kernel, chart: Chart, results: Sequence[Result]) -> bool:
+    """Tell whether rounding to float32 may put a vector beyond the edge; the recorded program keeps it inside."""
+    if kernel.real and kernel.shape in VECTORS:
+        limit = _limit(chart)
+        for a, b, c, *_ in results:  # roundings of v and of the sum of squares change v·v by up to 5 ROUNDOFF
+            if abs(a * a + b * b + c * c - limit) < 8 * ROUNDOFF * limit:
+                return True
+    return False
+
+
+@cache
+def _limit(chart: Chart) -> float:
+    """Return v·v at the edge of a chart."""
+    return float(chart.plain.coefficient(Floats, chart.singular_angles[-1])[0]) ** 2
 
 
 def _rounded(results: Sequence[Any], dtype: np.dtype[Any]) -> Array:
@@ -251,16 +291,14 @@ def _packed(results: Sequence[Result], size: int) -> Array:
     return array
 
 
-def _poses(array: Array, part: Shape, batch: Shape, axis: int, kept: np.dtype[Any] | None = None) -> list[list[Any]]:
-    """Return a list of components for each pose, as Python's numbers, or as NumPy's numbers of a dtype."""
+def _poses(array: Array, part: Shape, batch: Shape, axis: int, dtype: np.dtype[Any]) -> list[list[Any]]:
+    """Return a list of components for each pose, as Python's numbers, or as NumPy's numbers of longdouble."""
     if axis == 0:
         array = np.moveaxis(array, range(len(part)), range(-len(part), 0))
     if array.shape != batch + part:
         array = np.broadcast_to(array, batch + part)
-    rows = array.reshape(-1, math.prod(part))
-    if kept is not None:
-        return [list(row) for row in rows.astype(kept, copy=False)]
-    listed: list[list[Any]] = rows.tolist()
+    rows = array.reshape(-1, math.prod(part)).astype(dtype, copy=False)
+    listed: list[list[Any]] = [list(row) for row in rows] if FUNCTIONS.get(dtype) is Scalars else rows.tolist()
     return listed
 
 
@@ -314,7 +352,7 @@ def as_array(name: str, value: ArrayLike, part: Shape, axis: int, real: bool = F
     if axis not in (-1, 0):
         raise ValueError(f"axis must be -1 (components last) or 0 (components first), got {axis!r}")
     array = np.asarray(value)
-    if array.dtype != FLOAT:
+    if array.dtype != FLOAT and array.dtype != SINGLE:
         array = _supported(name, array, real)
     found = array.shape[: len(part)] if axis == 0 else array.shape[array.ndim - len(part) :]
     if found != part:

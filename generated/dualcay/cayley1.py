@@ -194,7 +194,7 @@ CHART = Chart(
         _unfolded, _reached, _coefficient, _followed,
     ),
     kernels=SHARED,
-    programs="106830d9369c6288",
+    programs="5b9169628c36e89e",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -159,7 +159,7 @@ def _ray(m: Any, x: Any) -> Result:
 
 # v = gain vec q for a quaternion of this size, size 1: gain = phi/sin(alpha/2)
 def _gain(m: Any, e0: Any, e1: Any, e2: Any, e3: Any, size: Any) -> Result:
-    sign = m.where(size + e0 / 16 < size, -1, 1)
+    sign = m.where(m.beside(size, e0 / 16) < size, -1, 1)
     cos = sign * e0
     gain = sign / (size + cos)
     return gain,
@@ -176,7 +176,7 @@ def _direction(m: Any, x: Any, y: Any, r: Any) -> Result:
     p = 1 - x
     either = rq + p
     one = either - either + 1
-    qp = m.where(rq + p / 64 < rq, -2, 2)
+    qp = m.where(m.beside(rq, p / 64) < rq, -2, 2)
     sign = one * m.where(qp < 0, -1, 1)
     return sign,
 
@@ -187,7 +187,7 @@ def _natural(m: Any, x: Any, y: Any, r: Any) -> Result:
     p = 1 - x
     either = rq + p
     one = either - either + 1
-    qp = m.where(rq + p / 64 < rq, -2, 2)
+    qp = m.where(m.beside(rq, p / 64) < rq, -2, 2)
     sign = one * m.where(qp < 0, -1, 1)
     angle = 2 * m.atan2(rq * one, m.abs(p))
     slope = 4 / (1 + x)
@@ -223,7 +223,7 @@ def _turned(m: Any, r: Any, cos: Any, sin: Any) -> Result:
 
 # truth of x > limit, beyond the principal branch, x or the limit, and the turn back
 def _beyond(m: Any, x: Any, limit1: Any, cos1: Any, sin1: Any) -> Result:
-    beside1 = limit1 + (x - limit1) / 64
+    beside1 = m.beside(limit1, (x - limit1) / 64)
     beyond1 = limit1 < beside1
     place = m.where(beyond1, x, beside1)
     return beyond1, place, cos1, sin1
@@ -238,7 +238,7 @@ def _coefficient(m: Any, alpha: Any) -> Result:
 
 # factor of vec e on the branch nearest v, and the number by which alpha is known
 def _followed(m: Any, x: Any, along: Any, e0: Any, e1: Any, e2: Any, e3: Any, size: Any, turn: Any) -> Result:
-    side = m.where(1 + turn / 16 < 1, -1, 1)
+    side = m.where(m.beside(1, turn / 16) < 1, -1, 1)
     cosine = side * e0
     beyondhalf = cosine < 0
     ss = e1 * e1 + e2 * e2 + e3 * e3
@@ -268,7 +268,7 @@ CHART = Chart(
         _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _followed,
     ),
     kernels=SHARED,
-    programs="78149d15ce826d3a",
+    programs="b99c07d8394b5a4d",
 )
 
 KERNELS = PoseKernels(CHART)

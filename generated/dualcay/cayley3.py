@@ -187,7 +187,7 @@ def _ray(m: Any, x: Any) -> Result:
 
 # v = gain vec q for a quaternion of this size, size 1: gain = phi/sin(alpha/2)
 def _gain(m: Any, e0: Any, e1: Any, e2: Any, e3: Any, size: Any) -> Result:
-    sign = m.where(size + e0 / 16 < size, -1, 1)
+    sign = m.where(m.beside(size, e0 / 16) < size, -1, 1)
     cos = sign * e0
     ss = e1 * e1 + e2 * e2 + e3 * e3
     still = ss == 0
@@ -211,7 +211,7 @@ def _direction(m: Any, x: Any, y: Any, r: Any) -> Result:
     one = either - either + 1
     qneg = q < 0
     kept = m.where(qneg, 0, rq)
-    qp = m.where(kept + p / 64 < kept, -q, q)
+    qp = m.where(m.beside(kept, p / 64) < kept, -q, q)
     sign = one * m.where((qp < 0) | (q == 0) & (y < 0), -1, 1)
     return sign,
 
@@ -225,7 +225,7 @@ def _natural(m: Any, x: Any, y: Any, r: Any) -> Result:
     one = either - either + 1
     qneg = q < 0
     kept = m.where(qneg, 0, rq)
-    qp = m.where(kept + p / 64 < kept, -q, q)
+    qp = m.where(m.beside(kept, p / 64) < kept, -q, q)
     sign = one * m.where((qp < 0) | (q == 0) & (y < 0), -1, 1)
     angle = 2 * m.atan2(rq * one, m.abs(p))
     slope = 6 / (1 + x)
@@ -262,7 +262,7 @@ def _turned(m: Any, r: Any, cos: Any, sin: Any) -> Result:
 
 # truth of x > limit, beyond the principal branch, x or the limit, and the turn back
 def _beyond(m: Any, x: Any, limit1: Any, cos1: Any, sin1: Any) -> Result:
-    beside1 = limit1 + (x - limit1) / 64
+    beside1 = m.beside(limit1, (x - limit1) / 64)
     beyond1 = limit1 < beside1
     place = m.where(beyond1, x, beside1)
     return beyond1, place, cos1, sin1
@@ -324,7 +324,7 @@ CHART = Chart(
         _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _followed,
     ),
     kernels=SHARED,
-    programs="224447433c683435",
+    programs="ec654a90367f13ca",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -202,7 +202,7 @@ def _ray(m: Any, x: Any) -> Result:
 
 # v = gain vec q for a quaternion of this size, size 1: gain = phi/sin(alpha/2)
 def _gain(m: Any, e0: Any, e1: Any, e2: Any, e3: Any, size: Any) -> Result:
-    sign = m.where(size + e0 / 16 < size, -1, 1)
+    sign = m.where(m.beside(size, e0 / 16) < size, -1, 1)
     cos = sign * e0
     ss = e1 * e1 + e2 * e2 + e3 * e3
     still = ss == 0
@@ -226,7 +226,7 @@ def _direction(m: Any, x: Any, y: Any, r: Any) -> Result:
     one = either - either + 1
     qneg = q < 0
     kept = m.where(qneg, 0, rq)
-    qp = m.where(kept + p / 64 < kept, -q, q)
+    qp = m.where(m.beside(kept, p / 64) < kept, -q, q)
     sign = one * m.where((qp < 0) | (q == 0) & (y < 0), -1, 1)
     return sign,
 
@@ -240,7 +240,7 @@ def _natural(m: Any, x: Any, y: Any, r: Any) -> Result:
     one = either - either + 1
     qneg = q < 0
     kept = m.where(qneg, 0, rq)
-    qp = m.where(kept + p / 64 < kept, -q, q)
+    qp = m.where(m.beside(kept, p / 64) < kept, -q, q)
     sign = one * m.where((qp < 0) | (q == 0) & (y < 0), -1, 1)
     angle = 2 * m.atan2(rq * one, m.abs(p))
     slope = 10 / (1 + x)
@@ -277,7 +277,7 @@ def _turned(m: Any, r: Any, cos: Any, sin: Any) -> Result:
 
 # truth of x > limit, beyond the principal branch, x or the limit, and the turn back
 def _beyond(m: Any, x: Any, limit1: Any, cos1: Any, sin1: Any, limit2: Any, cos2: Any, sin2: Any) -> Result:
-    beside1 = limit1 + (x - limit1) / 64
+    beside1 = m.beside(limit1, (x - limit1) / 64)
     beyond1 = limit1 < beside1
     beyond2 = limit2 < x
     cosine2 = m.where(beyond2, cos2, cos1)
@@ -347,7 +347,7 @@ CHART = Chart(
         _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _followed,
     ),
     kernels=SHARED,
-    programs="08d5318a45429f80",
+    programs="e375e2fbec042a90",
 )
 
 KERNELS = PoseKernels(CHART)

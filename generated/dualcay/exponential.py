@@ -273,7 +273,7 @@ def _ray(m: Any, x: Any) -> Result:
 
 # v = gain vec q for a quaternion of this size, size 1: gain = phi/sin(alpha/2)
 def _gain(m: Any, e0: Any, e1: Any, e2: Any, e3: Any, size: Any) -> Result:
-    sign = m.where(size + e0 / 16 < size, -1, 1)
+    sign = m.where(m.beside(size, e0 / 16) < size, -1, 1)
     cos = sign * e0
     ss = e1 * e1 + e2 * e2 + e3 * e3
     still = ss == 0
@@ -293,7 +293,7 @@ def _direction(m: Any, x: Any, y: Any, r: Any) -> Result:
     nearby, _, _, _, _, C1, _, C0, _, alpha = _nearby_to_alpha(m, x)
     s, w = _s_and_w(m, alpha, nearby, C0, C1)
     kept = m.where(w < 0, 0, 64)
-    turned = m.where(kept + s < kept, -w, w)
+    turned = m.where(m.beside(kept, s) < kept, -w, w)
     one = s - s + 1
     sign = one * m.where((turned < 0) | (w == 0) & (y < 0), -1, 1)
     return sign,
@@ -304,7 +304,7 @@ def _natural(m: Any, x: Any, y: Any, r: Any) -> Result:
     nearby, _, _, _, _, C1, _, C0, _, alpha = _nearby_to_alpha(m, x)
     s, w = _s_and_w(m, alpha, nearby, C0, C1)
     kept = m.where(w < 0, 0, 64)
-    turned = m.where(kept + s < kept, -w, w)
+    turned = m.where(m.beside(kept, s) < kept, -w, w)
     one = s - s + 1
     sign = one * m.where((turned < 0) | (w == 0) & (y < 0), -1, 1)
     angle = 2 * m.atan2(r * m.abs(w), m.abs(s))
@@ -329,7 +329,7 @@ def _turned(m: Any, r: Any, cos: Any, sin: Any) -> Result:
 
 # truth of x > limit, beyond the principal branch, x or the limit, and the turn back
 def _beyond(m: Any, x: Any, limit1: Any, cos1: Any, sin1: Any) -> Result:
-    beside1 = limit1 + (x - limit1) / 64
+    beside1 = m.beside(limit1, (x - limit1) / 64)
     beyond1 = limit1 < beside1
     place = m.where(beyond1, x, beside1)
     rx = m.sqrt(place)
@@ -386,7 +386,7 @@ CHART = Chart(
         _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _followed,
     ),
     kernels=SHARED,
-    programs="1d0ae0002f82c2e2",
+    programs="00180063963b51b3",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -152,7 +152,7 @@ def _ray(m: Any, x: Any) -> Result:
 
 # v = gain vec q for a quaternion of this size, size 1: gain = phi/sin(alpha/2)
 def _gain(m: Any, e0: Any, e1: Any, e2: Any, e3: Any, size: Any) -> Result:
-    sign = m.where(size + e0 / 16 < size, -1, 1)
+    sign = m.where(m.beside(size, e0 / 16) < size, -1, 1)
     gain = sign / size
     e1_gain = e1 * gain
     e2_gain = e2 * gain
@@ -175,7 +175,7 @@ def _inside(m: Any, x: Any) -> Result:
 def _natural(m: Any, x: Any, y: Any, r: Any) -> Result:
     cc = 1 - x
     c = m.sqrt(cc)
-    turned = m.where(64 + c < 64, -1, 1)
+    turned = m.where(m.beside(64, c) < 64, -1, 1)
     one = c - c + 1
     sign = one * m.where(turned < 0, -1, 1)
     angle = 2 * m.atan2(r, m.abs(c))
@@ -197,7 +197,8 @@ def _reached(m: Any, alpha: Any) -> Result:
     pi = 2 * m.atan2(one, zero)
     last = 2 * m.atan2(m.tan(alpha / 2), 1)
     left = pi - alpha
-    within = m.where(left < 0, last, alpha)
+    edge = alpha + left
+    within = m.where(m.beside(edge, left / 8) < edge, last, alpha)
     return within,
 
 
@@ -207,7 +208,7 @@ def _coefficient(m: Any, alpha: Any) -> Result:
     tt = t * t
     below = 1 + tt
     further = (1 - tt) / below
-    side = m.where(further < 0, -1, 1)
+    side = m.where(m.beside(1, further / 64) < 1, -1, 1)
     sin = side * (2 * t / below)
     cos = side * further
     slope = cos / 2
@@ -217,7 +218,7 @@ def _coefficient(m: Any, alpha: Any) -> Result:
 
 # factor of vec e on the branch nearest v, and the number by which alpha is known
 def _followed(m: Any, x: Any, along: Any, e0: Any, e1: Any, e2: Any, e3: Any, size: Any, turn: Any) -> Result:
-    sign = m.where(size + e0 / 16 < size, -1, 1)
+    sign = m.where(m.beside(size, e0 / 16) < size, -1, 1)
     cos = sign * e0
     known = cos / size
     factor = sign / size
@@ -241,7 +242,7 @@ CHART = Chart(
         _unfolded, _reached, _coefficient, _followed,
     ),
     kernels=SHARED,
-    programs="b7bb46aba6773cd2",
+    programs="5eda66c083321aaf",
     ends=True,
 )
 

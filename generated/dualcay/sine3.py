@@ -196,7 +196,7 @@ def _ray(m: Any, x: Any) -> Result:
 
 # v = gain vec q for a quaternion of this size, size 1: gain = phi/sin(alpha/2)
 def _gain(m: Any, e0: Any, e1: Any, e2: Any, e3: Any, size: Any) -> Result:
-    sign = m.where(size + e0 / 16 < size, -1, 1)
+    sign = m.where(m.beside(size, e0 / 16) < size, -1, 1)
     cos = sign * e0
     ss = e1 * e1 + e2 * e2 + e3 * e3
     still = ss == 0
@@ -223,7 +223,7 @@ def _direction(m: Any, x: Any, y: Any, r: Any) -> Result:
     cc = 1 - x
     c = m.sqrt(cc)
     s = c * (1 - x_by_4)
-    turned = m.where(kept + s < kept, -w, w)
+    turned = m.where(m.beside(kept, s) < kept, -w, w)
     one = s - s + 1
     sign = one * m.where((turned < 0) | (w == 0) & (y < 0), -1, 1)
     return sign,
@@ -237,7 +237,7 @@ def _natural(m: Any, x: Any, y: Any, r: Any) -> Result:
     cc = 1 - x
     c = m.sqrt(cc)
     s = c * (1 - x_by_4)
-    turned = m.where(kept + s < kept, -w, w)
+    turned = m.where(m.beside(kept, s) < kept, -w, w)
     one = s - s + 1
     sign = one * m.where((turned < 0) | (w == 0) & (y < 0), -1, 1)
     angle = 2 * m.atan2(r * m.abs(w), m.abs(s))
@@ -261,7 +261,8 @@ def _reached(m: Any, alpha: Any) -> Result:
     off = alpha - pi_by_2
     last = 2 * m.atan2(m.tan(off / 2), 1) + pi_by_2
     left = 3 * pi - alpha
-    within = m.where(left < 0, last, alpha)
+    edge = alpha + left
+    within = m.where(m.beside(edge, left / 8) < edge, last, alpha)
     return within,
 
 
@@ -281,7 +282,7 @@ def _turned(m: Any, r: Any, cos: Any, sin: Any) -> Result:
 
 # truth of x > limit, beyond the principal branch, x or the limit, and the turn back
 def _beyond(m: Any, x: Any, limit1: Any, cos1: Any, sin1: Any) -> Result:
-    beside1 = limit1 + (x - limit1) / 64
+    beside1 = m.beside(limit1, (x - limit1) / 64)
     beyond1 = limit1 < beside1
     place = m.where(beyond1, x, beside1)
     return beyond1, place, cos1, sin1
@@ -293,7 +294,7 @@ def _coefficient(m: Any, alpha: Any) -> Result:
     tt = t * t
     below = 1 + tt
     further = (1 - tt) / below
-    side = m.where(further < 0, -1, 1)
+    side = m.where(m.beside(1, further / 64) < 1, -1, 1)
     sin = side * (2 * t / below)
     cos = side * further
     slope = cos / 6
@@ -320,7 +321,7 @@ def _followed(m: Any, x: Any, along: Any, e0: Any, e1: Any, e2: Any, e3: Any, si
     ttn = tn * tn
     belown = 1 + ttn
     furthern = (1 - ttn) / belown
-    siden = m.where(furthern < 0, -1, 1)
+    siden = m.where(m.beside(1, furthern / 64) < 1, -1, 1)
     sinn = siden * (2 * tn / belown)
     cosn = siden * furthern
     slopen = cosn / 6
@@ -352,7 +353,7 @@ CHART = Chart(
         _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _followed,
     ),
     kernels=SHARED,
-    programs="ca619e4c14d1ad4d",
+    programs="a6e7febbbf8ec6e4",
     ends=True,
 )
 

@@ -200,7 +200,7 @@ def _ray(m: Any, x: Any) -> Result:
 
 # v = gain vec q for a quaternion of this size, size 1: gain = phi/sin(alpha/2)
 def _gain(m: Any, e0: Any, e1: Any, e2: Any, e3: Any, size: Any) -> Result:
-    sign = m.where(size + e0 / 16 < size, -1, 1)
+    sign = m.where(m.beside(size, e0 / 16) < size, -1, 1)
     cos = sign * e0
     cos0 = cos / size
     cos1 = m.sqrt((1 + cos0) / 2)
@@ -224,7 +224,7 @@ def _direction(m: Any, x: Any, y: Any, r: Any) -> Result:
     w = c * (4 - x_by_8)
     kept = m.where(w < 0, 0, 64)
     s = (x_by_8 - 8) * x + 1
-    turned = m.where(kept + s < kept, -w, w)
+    turned = m.where(m.beside(kept, s) < kept, -w, w)
     one = s - s + 1
     sign = one * m.where((turned < 0) | (w == 0) & (y < 0), -1, 1)
     return sign,
@@ -238,7 +238,7 @@ def _natural(m: Any, x: Any, y: Any, r: Any) -> Result:
     w = c * (4 - x_by_8)
     kept = m.where(w < 0, 0, 64)
     s = (x_by_8 - 8) * x + 1
-    turned = m.where(kept + s < kept, -w, w)
+    turned = m.where(m.beside(kept, s) < kept, -w, w)
     one = s - s + 1
     sign = one * m.where((turned < 0) | (w == 0) & (y < 0), -1, 1)
     angle = 2 * m.atan2(r * m.abs(w), m.abs(s))
@@ -262,7 +262,8 @@ def _reached(m: Any, alpha: Any) -> Result:
     off = alpha - pi_by_3
     last = 2 * m.atan2(m.tan(off / 2), 1) + pi_by_3
     left = 4 * pi - alpha
-    within = m.where(left < 0, last, alpha)
+    edge = alpha + left
+    within = m.where(m.beside(edge, left / 8) < edge, last, alpha)
     return within,
 
 
@@ -282,7 +283,7 @@ def _turned(m: Any, r: Any, cos: Any, sin: Any) -> Result:
 
 # truth of x > limit, beyond the principal branch, x or the limit, and the turn back
 def _beyond(m: Any, x: Any, limit1: Any, cos1: Any, sin1: Any, limit2: Any, cos2: Any, sin2: Any) -> Result:
-    beside1 = limit1 + (x - limit1) / 64
+    beside1 = m.beside(limit1, (x - limit1) / 64)
     beyond1 = limit1 < beside1
     beyond2 = limit2 < x
     cosine2 = m.where(beyond2, cos2, cos1)
@@ -297,7 +298,7 @@ def _coefficient(m: Any, alpha: Any) -> Result:
     tt = t * t
     below = 1 + tt
     further = (1 - tt) / below
-    side = m.where(further < 0, -1, 1)
+    side = m.where(m.beside(1, further / 64) < 1, -1, 1)
     sin = side * (2 * t / below)
     cos = side * further
     slope = cos / 8
@@ -324,7 +325,7 @@ def _followed(m: Any, x: Any, along: Any, e0: Any, e1: Any, e2: Any, e3: Any, si
     ttn = tn * tn
     belown = 1 + ttn
     furthern = (1 - ttn) / belown
-    siden = m.where(furthern < 0, -1, 1)
+    siden = m.where(m.beside(1, furthern / 64) < 1, -1, 1)
     sinn = siden * (2 * tn / belown)
     cosn = siden * furthern
     slopen = cosn / 8
@@ -360,7 +361,7 @@ CHART = Chart(
         _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _followed,
     ),
     kernels=SHARED,
-    programs="422ead75b5948b93",
+    programs="87bde79dcafdcb6c",
     ends=True,
 )
 

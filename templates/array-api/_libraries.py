@@ -5,6 +5,7 @@ from __future__ import annotations
 import importlib
 import sys
 from collections.abc import Sequence
+from operator import add
 from typing import Any
 
 from ._chart import Array, Chart, Shape
@@ -55,6 +56,8 @@ class Namespace:
     def part(self, array: Array, index: Any) -> Array:
         """Return one component, an array over the batch."""
         return array[index]
+
+    beside = staticmethod(add)
 
     def reciprocals(self, like: Any, *integers: int) -> list[Any]:
         """Return numbers that take the type of the arguments."""

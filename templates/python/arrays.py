@@ -3,7 +3,7 @@ def as_array(name: str, value: ArrayLike, part: Shape, axis: int, real: bool = F
     if axis not in (-1, 0):
         raise ValueError(f"axis must be -1 (components last) or 0 (components first), got {axis!r}")
     array = np.asarray(value)
-    if array.dtype != FLOAT:
+    if array.dtype != FLOAT and array.dtype != SINGLE:
         array = _supported(name, array, real)
     found = array.shape[: len(part)] if axis == 0 else array.shape[array.ndim - len(part) :]
     if found != part:

@@ -69,7 +69,7 @@ def test_arithmetic_matches_numpy(operation: str, dtype: type) -> None:
 @pytest.mark.parametrize(
     ("name", "ufunc", "count"),
     [("abs", np.absolute, 1), ("sqrt", np.sqrt, 1), ("tan", np.tan, 1), ("atan2", np.arctan2, 2),
-     ("expm1", np.expm1, 1), ("log1p", np.log1p, 1)],
+     ("expm1", np.expm1, 1), ("log1p", np.log1p, 1), ("beside", np.add, 2)],
 )  # fmt: skip
 def test_functions_match_numpy(name: str, ufunc: np.ufunc, count: int, dtype: type) -> None:
     arguments = [np.array([0.5, 1.5, 2.5], dtype), np.array([2.0, 0.25, 1.0], dtype)][:count]

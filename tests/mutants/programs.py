@@ -18,7 +18,10 @@ from derive.maps.chart import Chart
 
 from .mutant import KILLED, SURVIVED, Mutant, Verdict
 
-OPPOSITE = {"add": "sub", "sub": "add", "mul": "div", "div": "mul", "and": "or", "or": "and", "lt": "eq", "eq": "lt"}
+OPPOSITE = {
+    "add": "sub", "beside": "sub", "sub": "add", "mul": "div", "div": "mul", "and": "or", "or": "and", "lt": "eq",
+    "eq": "lt",
+}  # fmt: skip
 ORDERED = {"sub": (0, 1), "div": (0, 1), "lt": (0, 1), "atan2": (0, 1), "where": (1, 2)}
 DROPPED = {"neg": (0,), "abs": (0,), "sqrt": (0,), "tan": (0,), "where": (1, 2)}
 TRUTHS = ("lt", "eq", "and", "or")

@@ -48,12 +48,13 @@ class Call:
         crowd = _tuple(function(*(np.repeat(array[None], sampling.CROWD, axis=0) for array in self.given)))
         among = tuple(part[-1] for part in crowd)
         reason = self._wrong(among)
-        if alone[0].dtype == np.float32 and not self.row.real and self.chart.singles_in_double:
+        doubles = alone[0].dtype == np.float32 and self.chart.singles_in_double
+        if doubles and (self.fate == OUTSIDE or not self.row.real):  # branches are chosen in float32
             reason = reason or self._rounded(function, alone)
             if self.fate == OUTSIDE and reason:  # where a root is not real, the single runs in float32 too
                 reason = self._wrong(among) or self._wrong(alone)
         elif not (reason := reason or self._wrong(alone)) and [*map(_finite, alone)] != [*map(_finite, among)]:
-            reason = f"single and batch are finite in other places: {alone}, {among}"
+            reason = "" if doubles else f"single and batch are finite in other places: {alone}, {among}"
         return f"{self.row.name}{self.given}, {self.fate}: {reason}" if reason else ""
 
     def _rounded(self, function: Any, alone: tuple[np.ndarray, ...]) -> str:

@@ -62,7 +62,7 @@ def quaternion_of(trace: Geometry) -> Results:
     size = trace.name("size", trace.sqrt(Quaternion.from_components(entries).norm2()))
     negative = trace.less(entries[3], 0)
     for i in (2, 1):
-        beside = trace.name(f"beside{i}", size + entries[i] / NOISE_GIVEN)
+        beside = trace.name(f"beside{i}", trace.beside(size, entries[i] / NOISE_GIVEN))
         negative = trace.either(trace.less(beside, size), trace.both(trace.equal(beside, size), negative))
     sign = trace.name("sign", trace.where(negative, -1, 1))
     names = ("0", "1", "2", "3", "size")

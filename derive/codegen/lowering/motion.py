@@ -56,7 +56,7 @@ class _Followed:
         end = name("end", trace.abs(self.own + self.gone))
         inside = trace.both(trace.less(self.own, HALF_TURN), trace.either(resting, trace.less(25 * end, 157)))
         across = sum(map(trace.abs, delta.cross(start.re)), start=0)
-        self.apart = name("apart", trace.either(inside, trace.less(r, r + across / OWN_AXIS)))
+        self.apart = name("apart", trace.either(inside, trace.less(r, trace.beside(r, across / OWN_AXIS))))
         self.side = name("side", where(trace.less(first.vector.dot(start.re), 0), -1, 1))
         _, self.begun = self._half(first, "1")
 

@@ -12,6 +12,7 @@ from ...algebra import Quaternion
 from ...maps.chart import Chart
 from ...maps.multiple import FURTHER_POWERS, POWERS
 from ...maps.real_constants import number, plus
+from ...maps.scalars import NOISE_OF_ANGLE
 from ..programs.program import Constant, Program
 from ..programs.trace import Trace
 from ..programs.value import Number
@@ -113,16 +114,21 @@ def _reached(chart: Chart, trace: Trace, angle: Number) -> tuple[Number]:
     zero = trace.name("zero", angle - angle)
     pi = trace.name("pi", 2 * trace.atan2(1 + zero, zero))
 
-    def beside(value: Number, other: sympy.Expr, name: str) -> Number:
+    def turned(value: Number, other: sympy.Expr, name: str) -> Number:
         """Return a value plus a constant angle; multiples of π have all digits of the number type."""
         share = other / sympy.pi
         if share.is_Rational:
             return trace.name(name, value + trace.div(int(share.p) * pi, int(share.q)))
         return trace.name(name, plus(value, number(other), trace, name))
 
-    off = trace.tan(trace.div(beside(angle, sympy.pi - chart.edge, "off"), 2))
-    last = beside(2 * trace.atan2(off, 1), chart.edge - sympy.pi, "last")
-    return (trace.name("within", trace.where(trace.less(beside(-angle, chart.edge, "left"), 0), last, angle)),)
+    off = trace.tan(trace.div(turned(angle, sympy.pi - chart.edge, "off"), 2))
+    last = turned(2 * trace.atan2(off, 1), chart.edge - sympy.pi, "last")
+    left = turned(-angle, chart.edge, "left")
+    beyond = trace.less(left, 0)
+    if not chart.range.is_infinite:  # an edge where v is finite counts as within despite rounding
+        end = trace.name("edge", angle + left)
+        beyond = trace.less(trace.beside(end, trace.div(left, NOISE_OF_ANGLE)), end)
+    return (trace.name("within", trace.where(beyond, last, angle)),)
 
 
 E = ("e0", "e1", "e2", "e3")

@@ -8,6 +8,7 @@ from fractions import Fraction
 
 Constant = int | Fraction
 Operand = str | int | Fraction  # name of an input or step, or an exact constant
+BESIDE = "beside"  # sum in the precision of the data; a plain sum in most languages
 FUNCTIONS = ("reciprocal", "abs", "sqrt", "tan", "atan2", "expm1", "log1p")
 
 
@@ -67,7 +68,7 @@ class Program:
         """Leading arguments: ``m`` (functions of numbers) and ``c`` (the chart's scalars), ``m`` alone, or none."""
         if any(not call.result or "c" in call.context for call in self.calls):
             return "m, c"
-        functions = {*FUNCTIONS, "where"}.intersection(self.operations)
+        functions = {*FUNCTIONS, "where", BESIDE}.intersection(self.operations)
         return "m" if functions or any(call.context for call in self.calls) else ""
 
     @property

@@ -149,7 +149,8 @@ class Folding(Arithmetic, ABC):
         negated = self.negated(a)
         return self.record("neg", a) if negated is None else negated
 
-    reciprocal, tan, atan2, expm1, log1p = map(_recorded, ("reciprocal", "tan", "atan2", "expm1", "log1p"))
+    reciprocal, beside = map(_recorded, ("reciprocal", "beside"))
+    tan, atan2, expm1, log1p = map(_recorded, ("tan", "atan2", "expm1", "log1p"))
 
     def abs(self, a: Number) -> Number:
         return abs(a) if _constant(a) else self.record("abs", a)

@@ -13,7 +13,7 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import Any
 
-from ..programs.program import Assignment, Call, Operand, Program, Statement
+from ..programs.program import BESIDE, Assignment, Call, Operand, Program, Statement
 
 WIDTH = 120
 ATOM = 9
@@ -38,6 +38,7 @@ class Operator:
 
 ARITHMETIC = {
     "add": Operator("+", 4, 4, 5),
+    BESIDE: Operator("+", 4, 4, 5),
     "sub": Operator("-", 4, 4, 5),
     "mul": Operator("*", 5, 5, 6),
     "div": Operator("/", 5, 5, 6),

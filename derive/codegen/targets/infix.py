@@ -5,7 +5,7 @@ from __future__ import annotations
 import textwrap
 from collections.abc import Callable, Iterable, Iterator
 
-from ..programs.program import FUNCTIONS, Call, Program
+from ..programs.program import BESIDE, FUNCTIONS, Call, Program
 from .expression import ARITHMETIC, WIDTH, Dialect, Lists, Operator, fill, items, unpacked
 
 INDENT = "    "
@@ -20,13 +20,13 @@ OPERATORS = {
 }
 
 
-def python(prefix: str, literal: Callable[[int], str] = str, together: bool = False) -> Dialect:
+def python(prefix: str, *further: str, literal: Callable[[int], str] = str, together: bool = False) -> Dialect:
     """Return the dialect of Python with this prefix of functions and this notation of constants."""
-    calls = {name: prefix + name for name in (*FUNCTIONS, "where")}
+    calls = {name: prefix + name for name in (*FUNCTIONS, "where", *further)}
     return Dialect(OPERATORS, calls, literal=literal, together=together)
 
 
-PLAIN = python("m.", together=True)  # dialect with functions of the number type in ``m`` and unchanged constants
+PLAIN = python("m.", BESIDE, together=True)  # dialect with functions of the number type in ``m``, constants unchanged
 
 
 def ask_namespace(call: Call, arguments: str) -> str:

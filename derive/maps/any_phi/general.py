@@ -238,7 +238,7 @@ class General(AngleChart):
         over = m.name(f"over{mark}", plus(own, limit, m, f"within{mark}"))
         none = m.name(f"none{mark}", own - own)
         if self._edge.kind == "fold":
-            left = m.where(m.less(own, own + m.div(over, NOISE)), none, 1 + none)
+            left = m.where(m.less(own, m.beside(own, m.div(over, NOISE))), none, 1 + none)
         else:
             left = m.where(m.less(over, 0), 1 + none, none)
         left = m.name(f"left{mark}", left)

@@ -32,7 +32,7 @@ def _share(x: Coefficient, size: Any, m: Arithmetic) -> Coefficient:
 def from_end(x: Coefficient, size: Any, m: Arithmetic) -> Coefficient:
     """Return ``√(1 − x/X)``, for X at the end of a chart: 0 there, up to rounding, and NaN beyond."""
     left = m.name("lack", 1 - _share(x, size, m))
-    noise = m.both(m.less(left, 0), m.equal(NOISE + left, NOISE))
+    noise = m.both(m.less(left, 0), m.equal(m.beside(NOISE, left), NOISE))
     return m.name("rootlack", m.sqrt(m.where(noise, 0, left)))
 
 

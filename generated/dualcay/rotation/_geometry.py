@@ -426,8 +426,8 @@ def quaternion_of(m: Any, Q: Components) -> Result:
     z32 = m.where(larger3, s23, z22)
     z33 = m.where(larger3, t3, z23)
     size = m.sqrt(z30 * z30 + (z31 * z31 + z32 * z32 + z33 * z33))
-    beside2 = size + z32 / 16
-    beside1 = size + z31 / 16
+    beside2 = m.beside(size, z32 / 16)
+    beside1 = m.beside(size, z31 / 16)
     sign = m.where((beside1 < size) | (beside1 == size) & ((beside2 < size) | (beside2 == size) & (z33 < 0)), -1, 1)
     return sign * z30, sign * z31, sign * z32, sign * z33, size
 
@@ -743,7 +743,7 @@ def logarithm(m: Any, e: Components, size: Any) -> Result:
     """Logarithm δ of a displacement, from a positive multiple e, of a given size, of the quaternion of exp(δ)."""
     e0, e1, e2, e3 = e
     ss = e1 * e1 + e2 * e2 + e3 * e3
-    sign = m.where(size + e0 / 16 < size, -1, 1)
+    sign = m.where(m.beside(size, e0 / 16) < size, -1, 1)
     cos = sign * e0
     still = ss == 0
     sin = m.sqrt(m.where(still, cos, ss))
@@ -802,8 +802,8 @@ def interpolate(m: Any, c: Any, v1: Components, v2: Components, time: Components
     gone = td1 * axis1 + td2 * axis2 + td3 * axis3
     end = m.abs(alpha + gone)
     apart = (
-        (alpha < 3) & (resting | (25 * end < 157)) | (r < r + (m.abs(d2 * a3 - d3 * a2) + m.abs(d3 * a1 - d1 * a3)
-        + m.abs(d1 * a2 - d2 * a1)) / 64)
+        (alpha < 3) & (resting | (25 * end < 157)) | (r < m.beside(r, (m.abs(d2 * a3 - d3 * a2) + m.abs(d3 * a1 - d1
+        * a3) + m.abs(d1 * a2 - d2 * a1)) / 64))
     )
     side = m.where(e1_1 * a1 + e2_1 * a2 + e3_1 * a3 < 0, -1, 1)
     ss1 = e1_1 * e1_1 + e2_1 * e2_1 + e3_1 * e3_1

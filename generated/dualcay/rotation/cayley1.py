@@ -22,7 +22,7 @@ from ._interface import RotationKernels
 
 ORDER = 1
 
-CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="1f0830920f918c8a")
+CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="b3c5b5e51d394875")
 
 KERNELS = RotationKernels(CHART)
 dcay = KERNELS.tangent

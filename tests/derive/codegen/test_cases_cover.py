@@ -20,8 +20,8 @@ from derive.codegen.validation.decimals import Decimal
 from derive.maps import Cayley
 
 OPERATIONS: Mapping[str, Callable[..., Any]] = {
-    "add": operator.add, "sub": operator.sub, "mul": operator.mul, "div": operator.truediv, "neg": operator.neg,
-    "abs": abs, "sqrt": Decimal.sqrt, "tan": Decimal.tan, "atan2": Decimal.arctan2,
+    "add": operator.add, "beside": operator.add, "sub": operator.sub, "mul": operator.mul, "div": operator.truediv,
+    "neg": operator.neg, "abs": abs, "sqrt": Decimal.sqrt, "tan": Decimal.tan, "atan2": Decimal.arctan2,
     "reciprocal": lambda like, integer: 1 / integer, "expm1": Decimal.expm1, "log1p": Decimal.log1p,
     "lt": operator.lt, "eq": operator.eq,
     "and": operator.and_, "or": operator.or_, "where": lambda which, a, b: a if which else b,

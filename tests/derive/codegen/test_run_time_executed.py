@@ -172,7 +172,7 @@ def test_single_poses_are_read_with_components_first_or_last(part: Callable[[str
     last = np.arange(30.0).reshape(5, *shape)
     first = np.moveaxis(last, 0, -1)
     for array, axis in ((last, -1), (first, 0)):
-        assert part("_runtime")._poses(array, shape, (5,), axis) == last.reshape(5, 6).tolist()
+        assert part("_runtime")._poses(array, shape, (5,), axis, array.dtype) == last.reshape(5, 6).tolist()
 
 
 def test_dense_or_broadcast_rows_are_read_without_copying(part: Callable[[str], Any]) -> None:
