@@ -46,7 +46,7 @@ def _p_to_h(m: Any, x: Any) -> Result:
     q = ((56 - 8 * x) * x - 56) * x + 8
     qq = q * q
     N = p * p + x * qq
-    r = 2 * (N / N / N)
+    r = 2 / N + (N - N)
     f = p * q * r
     g = qq * r
     c = (((((16 * x - 224) * x + 2352) * x - 5440) * x + 6000) * x - 2016) * x + 336
@@ -370,7 +370,7 @@ CHART = Chart(
         _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _followed,
     ),
     kernels=SHARED,
-    programs="e2feccf98ddeae3e",
+    programs="f3962108bcddc8f7",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -22,7 +22,7 @@ from ._interface import RotationKernels
 
 ORDER = 1
 
-CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="1f0830920f918c8a")
+CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="d421c8d8f8a5c3e4")
 
 KERNELS = RotationKernels(CHART)
 dcay = KERNELS.tangent

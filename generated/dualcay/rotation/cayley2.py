@@ -22,7 +22,7 @@ from ._interface import RotationKernels
 
 ORDER = 2
 
-CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="0eed74d9cd5e6ae8")
+CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="f90de00e60b413d6")
 
 KERNELS = RotationKernels(CHART)
 dcay = KERNELS.tangent

@@ -22,7 +22,7 @@ from ._interface import RotationKernels
 
 ORDER = 3
 
-CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="2b9a82af12ee8b13")
+CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="e45b0b9bcd259311")
 
 KERNELS = RotationKernels(CHART)
 dcay = KERNELS.tangent

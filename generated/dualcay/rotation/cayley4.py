@@ -22,7 +22,7 @@ from ._interface import RotationKernels
 
 ORDER = 4
 
-CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="25d6f1940b8ac025")
+CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="9bce853b59d10329")
 
 KERNELS = RotationKernels(CHART)
 dcay = KERNELS.tangent

@@ -22,7 +22,7 @@ from ._interface import RotationKernels
 
 ORDER = 1
 
-CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="0c60ac3beb6445a6")
+CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="71461eaf82eda94f")
 
 KERNELS = RotationKernels(CHART)
 # the functions of this module are the methods of KERNELS

@@ -22,7 +22,7 @@ from ._interface import RotationKernels
 
 ORDER = 3
 
-CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="70c22ed6cd6d5f84")
+CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="c98ab759e7984b37")
 
 KERNELS = RotationKernels(CHART)
 # the functions of this module are the methods of KERNELS
