@@ -358,7 +358,7 @@ CHART = Chart(
         _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _followed,
     ),
     kernels=SHARED,
-    programs="ce66e9d2696d5292",
+    programs="25f173cc454d4674",
 )
 
 KERNELS = PoseKernels(CHART)

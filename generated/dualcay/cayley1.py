@@ -194,7 +194,7 @@ CHART = Chart(
         _unfolded, _reached, _coefficient, _followed,
     ),
     kernels=SHARED,
-    programs="1377cff80e6dd4c6",
+    programs="2857286830ab2c09",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -268,7 +268,7 @@ CHART = Chart(
         _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _followed,
     ),
     kernels=SHARED,
-    programs="826ab3db6f085705",
+    programs="3b5102a2729714fa",
 )
 
 KERNELS = PoseKernels(CHART)

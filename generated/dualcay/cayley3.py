@@ -324,7 +324,7 @@ CHART = Chart(
         _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _followed,
     ),
     kernels=SHARED,
-    programs="b0026b15a734bb00",
+    programs="b1650b318f287a5f",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -345,7 +345,7 @@ CHART = Chart(
         _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _followed,
     ),
     kernels=SHARED,
-    programs="40c4727590bb7f49",
+    programs="4155f42e43403695",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -347,7 +347,7 @@ CHART = Chart(
         _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _followed,
     ),
     kernels=SHARED,
-    programs="579dcb071a7a696a",
+    programs="497d917c054d6e48",
 )
 
 KERNELS = PoseKernels(CHART)

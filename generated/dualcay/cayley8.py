@@ -370,7 +370,7 @@ CHART = Chart(
         _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _followed,
     ),
     kernels=SHARED,
-    programs="f3962108bcddc8f7",
+    programs="259aa8b31bee2ab0",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -322,7 +322,7 @@ CHART = Chart(
         _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _followed,
     ),
     kernels=SHARED,
-    programs="1336e67bd70795a5",
+    programs="faf22fd7a9ecb352",
     ends=True,
 )
 

@@ -241,7 +241,7 @@ CHART = Chart(
         _unfolded, _reached, _coefficient, _followed,
     ),
     kernels=SHARED,
-    programs="b7bb46aba6773cd2",
+    programs="ef90cef2c10b5672",
     ends=True,
 )
 

@@ -33,7 +33,7 @@ from .cayley3 import CHART as BASE
 
 ORDER = 3
 
-CHART = multiple(BASE, __name__, 6, 1, constant=('inside',), programs="1d5329ca27371608")
+CHART = multiple(BASE, __name__, 6, 1, constant=('inside',), programs="b146c29b3082a47d")
 
 KERNELS = PoseKernels(CHART)
 # the functions of this module are the methods of KERNELS

@@ -33,7 +33,7 @@ from .cayley4 import CHART as BASE
 
 ORDER = 4
 
-CHART = multiple(BASE, __name__, 8, 1, constant=('inside',), programs="5bec5471a8da2ee3")
+CHART = multiple(BASE, __name__, 8, 1, constant=('inside',), programs="ba3963cd38c7307a")
 
 KERNELS = PoseKernels(CHART)
 # the functions of this module are the methods of KERNELS

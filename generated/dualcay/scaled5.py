@@ -33,7 +33,7 @@ from .cayley5 import CHART as BASE
 
 ORDER = 5
 
-CHART = multiple(BASE, __name__, 10, 1, constant=('inside',), programs="e6ba7756a35b6178")
+CHART = multiple(BASE, __name__, 10, 1, constant=('inside',), programs="7fa103b309107766")
 
 KERNELS = PoseKernels(CHART)
 # the functions of this module are the methods of KERNELS

@@ -352,7 +352,7 @@ CHART = Chart(
         _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _followed,
     ),
     kernels=SHARED,
-    programs="ca619e4c14d1ad4d",
+    programs="10c9213c02830793",
     ends=True,
 )
 

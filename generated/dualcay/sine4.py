@@ -360,7 +360,7 @@ CHART = Chart(
         _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _followed,
     ),
     kernels=SHARED,
-    programs="422ead75b5948b93",
+    programs="fff944f03d97fe59",
     ends=True,
 )
 

@@ -22,7 +22,7 @@ from ._interface import RotationKernels
 
 ORDER = 2
 
-CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="02ed9914eaa3bc47")
+CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="047ecbd20444bc73")
 
 KERNELS = RotationKernels(CHART)
 # the functions of this module are the methods of KERNELS

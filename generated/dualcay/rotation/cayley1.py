@@ -22,7 +22,7 @@ from ._interface import RotationKernels
 
 ORDER = 1
 
-CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="d421c8d8f8a5c3e4")
+CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="0068de06826a5315")
 
 KERNELS = RotationKernels(CHART)
 dcay = KERNELS.tangent

@@ -22,7 +22,7 @@ from ._interface import RotationKernels
 
 ORDER = 2
 
-CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="f90de00e60b413d6")
+CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="a0e7e2d2f88cb927")
 
 KERNELS = RotationKernels(CHART)
 dcay = KERNELS.tangent

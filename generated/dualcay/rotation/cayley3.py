@@ -22,7 +22,7 @@ from ._interface import RotationKernels
 
 ORDER = 3
 
-CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="e45b0b9bcd259311")
+CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="bd11762c32cb3ef0")
 
 KERNELS = RotationKernels(CHART)
 dcay = KERNELS.tangent

@@ -22,7 +22,7 @@ from ._interface import RotationKernels
 
 ORDER = 4
 
-CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="9bce853b59d10329")
+CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="536dd8900558f42b")
 
 KERNELS = RotationKernels(CHART)
 dcay = KERNELS.tangent

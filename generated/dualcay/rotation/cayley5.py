@@ -22,7 +22,7 @@ from ._interface import RotationKernels
 
 ORDER = 5
 
-CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="72bdb3afb788bcd5")
+CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="e57535e75f8973aa")
 
 KERNELS = RotationKernels(CHART)
 dcay = KERNELS.tangent

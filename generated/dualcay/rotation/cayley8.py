@@ -22,7 +22,7 @@ from ._interface import RotationKernels
 
 ORDER = 8
 
-CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="42143fb9f8429449")
+CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="99370af5e67f1674")
 
 KERNELS = RotationKernels(CHART)
 dcay = KERNELS.tangent

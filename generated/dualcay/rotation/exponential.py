@@ -22,7 +22,7 @@ from ._interface import RotationKernels
 
 ORDER = 1
 
-CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="c1071274d12aced3")
+CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="b10c81f075a6fec2")
 
 KERNELS = RotationKernels(CHART)
 dexp = KERNELS.tangent

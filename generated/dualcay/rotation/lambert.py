@@ -22,7 +22,7 @@ from ._interface import RotationKernels
 
 ORDER = 2
 
-CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="91a60cd534513004")
+CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="8c159bfdda4bbead")
 
 KERNELS = RotationKernels(CHART)
 # the functions of this module are the methods of KERNELS

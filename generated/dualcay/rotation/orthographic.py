@@ -22,7 +22,7 @@ from ._interface import RotationKernels
 
 ORDER = 1
 
-CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="abf1d7aa3bd924da")
+CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="8e11adb5c98c08c1")
 
 KERNELS = RotationKernels(CHART)
 # the functions of this module are the methods of KERNELS

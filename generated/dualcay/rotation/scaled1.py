@@ -22,7 +22,7 @@ from ._interface import RotationKernels
 
 ORDER = 1
 
-CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="71461eaf82eda94f")
+CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="2931a38ee713e4a7")
 
 KERNELS = RotationKernels(CHART)
 # the functions of this module are the methods of KERNELS

@@ -22,7 +22,7 @@ from ._interface import RotationKernels
 
 ORDER = 3
 
-CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="c98ab759e7984b37")
+CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="82947ee56597dd7f")
 
 KERNELS = RotationKernels(CHART)
 # the functions of this module are the methods of KERNELS

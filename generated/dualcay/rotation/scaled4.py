@@ -22,7 +22,7 @@ from ._interface import RotationKernels
 
 ORDER = 4
 
-CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="0dcd0bd26f5bf9b7")
+CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="0c45a285003dba3d")
 
 KERNELS = RotationKernels(CHART)
 # the functions of this module are the methods of KERNELS

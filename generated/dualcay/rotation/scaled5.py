@@ -22,7 +22,7 @@ from ._interface import RotationKernels
 
 ORDER = 5
 
-CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="61b03c2b5448f893")
+CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="27f4322f6458b1d2")
 
 KERNELS = RotationKernels(CHART)
 # the functions of this module are the methods of KERNELS

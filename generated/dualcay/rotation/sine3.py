@@ -22,7 +22,7 @@ from ._interface import RotationKernels
 
 ORDER = 3
 
-CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="aac21ac3bb3552e4")
+CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="aa64c052545dc410")
 
 KERNELS = RotationKernels(CHART)
 # the functions of this module are the methods of KERNELS

@@ -22,7 +22,7 @@ from ._interface import RotationKernels
 
 ORDER = 4
 
-CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="7e2faabb24bb6267")
+CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="e4adf2fb0c735ca7")
 
 KERNELS = RotationKernels(CHART)
 # the functions of this module are the methods of KERNELS

@@ -22,7 +22,7 @@ from ._interface import RotationKernels
 
 ORDER = 2
 
-CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="2500ec4c6b7973e2")
+CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="7c0b4db711f7eeee")
 
 KERNELS = RotationKernels(CHART)
 # the functions of this module are the methods of KERNELS
