@@ -15,8 +15,8 @@ Above `HORNER_LIMIT`, p, q, c and d come from a chain of doublings, divided by p
 overflows no sooner than order 4. With ``D = (1 + x)^⌊n/2⌋``, the divisor of p, q and d is D. The divisor of c, p² and
 x q² is D². The divisors cancel in the scalars.
 
-N is computed as ``p² + x q²``, whose rounding error does not grow with n. ``(N/N)/N`` replaces 1/N where N may
-overflow. On overflow the replacement is NaN, while 1/N would be finite and wrong.
+N is computed as ``p² + x q²``, whose rounding error does not grow with n. ``(N/N)/N``, or ``2/N + (N - N)``,
+replaces a quotient by N where N may overflow. On overflow these are NaN, while 2/N would be finite and wrong.
 """
 
 from __future__ import annotations
@@ -171,17 +171,12 @@ class CayleyScalars:
         first, second = self._chain[half]
         return first.value, second.value
 
-    def _over(self, numerator: int, norm: Coefficient) -> Coefficient:
-        if self._expanded:
-            return numerator * (self.m.div(norm, norm) / norm)
-        return self.m.div(numerator, norm)
-
-    _twice_inverse_norm = scalar(lambda at: at._over(2, at.norm), "r")
+    _twice_inverse_norm = scalar(lambda at: at.m.div(2, at.norm) + (at.norm - at.norm if at._expanded else 0), "r")
     _growth = scalar(lambda at: 2 * at.order / at._beyond_one, "e")  # 2 N′/N = 2n/(1 + x)
 
     # --- q̂ = s + w v, CP23 (50), (55) -------------------------------------------------------------------------
 
-    _inverse_root = scalar(lambda at: at._over(1, at.root), "r")
+    _inverse_root = scalar(lambda at: at.m.div(at.root / at.root if at._expanded else 1, at.root), "r")
     s = scalar(lambda at: at.p * at._inverse_root)
     w = scalar(lambda at: at.q * at._inverse_root)
     sy = scalar(lambda at: at.w * at.m.name("minus_e", -at.order / (1 + at.x)))  # 2 s′ = −n w/(1 + x)

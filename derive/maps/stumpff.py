@@ -19,8 +19,10 @@ Beyond `LIMIT`, sine and cosine give the functions without loss of digits.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from functools import cached_property
 from math import factorial
+from operator import add, sub
 
 from ..algebra import Coefficient
 from ..algebra.arithmetic import Arithmetic
@@ -35,21 +37,25 @@ TERMS = 9
 REMAINDER = (LIMIT / 4) ** TERMS / factorial(2 * TERMS + 7)
 """Bound of the truncation error: the first omitted term of an alternating series with decreasing terms."""
 
-
 UNIT = 17
 """Factorial that is the unit of later terms, so that floats of 53 bits hold all denominators."""
 
 
 def series(zeta: Coefficient, m: Arithmetic) -> Coefficient:
-    """Return the truncated series ``c₇ = 1/7! − ζ (1/9! − ζ (1/11! − …))``."""
+    """Return the truncated series ``c₇ = 1/7! − ζ/9! + ζ²/11! − …``."""
     unit = factorial(UNIT)
-    total = m.reciprocal(zeta, factorial(2 * TERMS + 5) // unit)
-    for k in range(2 * TERMS + 3, 6, -2):
-        if k == UNIT:
-            total, unit = m.reciprocal(zeta, unit) * (1 - zeta * total), 1
-        else:
-            total = m.reciprocal(zeta, factorial(k) // unit) - zeta * total
-    return total
+    first = [m.reciprocal(zeta, factorial(k)) for k in range(7, UNIT, 2)]
+    later = [m.reciprocal(zeta, factorial(k) // unit) for k in range(UNIT + 2, 2 * TERMS + 6, 2)]
+    return _in_pairs([*first, m.reciprocal(zeta, unit) * _in_pairs([1, *later], zeta, m)], zeta, m)
+
+
+def _in_pairs(terms: Sequence[Coefficient], power: Coefficient, m: Arithmetic, letter: str = "z") -> Coefficient:
+    """Return ``t₀ − ζ t₁ + ζ² t₂ − …`` as sums of pairs: fewer operations in a row than by Horner's rule."""
+    if len(terms) == 1:
+        return terms[0]
+    join = sub if letter == "z" else add
+    pairs = [join(a, power * b) for a, b in zip(terms[::2], terms[1::2], strict=False)]
+    return _in_pairs([*pairs, *terms[2 * len(pairs) :]], m.name(2 * letter, power * power), m, 2 * letter)
 
 
 class Stumpff:

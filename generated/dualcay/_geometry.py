@@ -1148,15 +1148,17 @@ def exponential_scalars(m: Any, delta: Components) -> Result:
     nearby = x < 6
     z = m.where(nearby, x, x - x) / 4
     (
-        over_6, over_120, over_72681840, over_143640, over_342, over_355687428096000, over_1307674368000,
-        over_6227020800, over_39916800, over_362880, over_5040,
+        over_6, over_120, over_5040, over_362880, over_39916800, over_6227020800, over_1307674368000, over_342,
+        over_143640, over_72681840, over_355687428096000,
     ) = (
-        m.reciprocals(z, 6, 120, 72681840, 143640, 342, 355687428096000, 1307674368000, 6227020800, 39916800, 362880,
-        5040)
+        m.reciprocals(z, 6, 120, 5040, 362880, 39916800, 6227020800, 1307674368000, 342, 143640, 72681840,
+        355687428096000)
     )
+    zz = z * z
+    zzzz = zz * zz
     C7 = (
-        over_5040 - z * (over_362880 - z * (over_39916800 - z * (over_6227020800 - z * (over_1307674368000 - z
-        * (over_355687428096000 * (1 - z * (over_342 - z * (over_143640 - z * over_72681840))))))))
+        over_5040 - z * over_362880 + zz * (over_39916800 - z * over_6227020800) + zzzz * (over_1307674368000 - z
+        * (over_355687428096000 * (1 - z * over_342 + zz * (over_143640 - z * over_72681840))))
     )
     C5 = over_120 - z * C7
     C3 = over_6 - z * C5
@@ -1233,32 +1235,11 @@ def retract(m: Any, c: Any, v: Components, delta: Components) -> Result:
 
 
 def body_retract(m: Any, c: Any, v: Components, delta: Components) -> Result:
-    """Vector of R(v) exp(δ), on the branch nearest v."""
-    v1, v2, v3, _, _, _ = v
+    """Vector of R(v) exp(δ), on the branch nearest v: −w for the vector w of exp(−δ) R(−v)."""
+    v1, v2, v3, v1o, v2o, v3o = v
     d1, d2, d3, d1o, d2o, d3o = delta
-    s, w, f, g, h, _, _, _ = exponential_scalars(m, (d1, d2, d3))
-    e0_1, e1_1, e2_1, e3_1, size_1, f_1, g_1, rho1_1, rho2_1, rho3_1 = displacement(m, c, v)
-    gvd1 = d1 * g
-    gvd2 = d2 * g
-    gvd3 = d3 * g
-    yd = d1 * d1o + d2 * d2o + d3 * d3o
-    alongd = h * yd
-    e0, e1, e2, e3, rho1, rho2, rho3 = (
-        composed((e0_1, e1_1, e2_1, e3_1), f_1, g_1, v, (rho1_1, rho2_1, rho3_1), (s, d1 * w, d2 * w, d3 * w), (d1o * f
-        + (gvd2 * d3o - gvd3 * d2o) + d1 * alongd, d2o * f + (gvd3 * d1o - gvd1 * d3o) + d2 * alongd, d3o * f + (gvd1
-        * d2o - gvd2 * d1o) + d3 * alongd))
-    )
-    w1, w2, w3, fe, known = followed(m, c, (v1, v2, v3), (e0, e1, e2, e3), size_1, s)
-    x = w1 * w1 + w2 * w2 + w3 * w3
-    hi, = c.inverse_at(m, x, fe, known)
-    shift1 = rho1 / 2
-    shift2 = rho2 / 2
-    shift3 = rho3 / 2
-    along = hi * (w1 * shift1 + w2 * shift2 + w3 * shift3)
-    return (
-        w1, w2, w3, shift1 * fe - (w2 * shift3 - w3 * shift2) + w1 * along,
-        shift2 * fe - (w3 * shift1 - w1 * shift3) + w2 * along, shift3 * fe - (w1 * shift2 - w2 * shift1) + w3 * along,
-    )
+    w1, w2, w3, w1o, w2o, w3o = retract(m, c, (-v1, -v2, -v3, -v1o, -v2o, -v3o), (-d1, -d2, -d3, -d1o, -d2o, -d3o))
+    return -w1, -w2, -w3, -w1o, -w2o, -w3o
 
 
 def retract_jacobians(m: Any, c: Any, v: Components, delta: Components) -> Result:
@@ -1332,15 +1313,17 @@ def logarithm(m: Any, e: Components, size: Any, rho: Components) -> Result:
     nearby = x < 6
     z = m.where(nearby, x, x - x) / 4
     (
-        over_6, over_120, over_72681840, over_143640, over_342, over_355687428096000, over_1307674368000,
-        over_6227020800, over_39916800, over_362880, over_5040,
+        over_6, over_120, over_5040, over_362880, over_39916800, over_6227020800, over_1307674368000, over_342,
+        over_143640, over_72681840, over_355687428096000,
     ) = (
-        m.reciprocals(z, 6, 120, 72681840, 143640, 342, 355687428096000, 1307674368000, 6227020800, 39916800, 362880,
-        5040)
+        m.reciprocals(z, 6, 120, 5040, 362880, 39916800, 6227020800, 1307674368000, 342, 143640, 72681840,
+        355687428096000)
     )
+    zz = z * z
+    zzzz = zz * zz
     C7 = (
-        over_5040 - z * (over_362880 - z * (over_39916800 - z * (over_6227020800 - z * (over_1307674368000 - z
-        * (over_355687428096000 * (1 - z * (over_342 - z * (over_143640 - z * over_72681840))))))))
+        over_5040 - z * over_362880 + zz * (over_39916800 - z * over_6227020800) + zzzz * (over_1307674368000 - z
+        * (over_355687428096000 * (1 - z * over_342 + zz * (over_143640 - z * over_72681840))))
     )
     C5 = over_120 - z * C7
     C3 = over_6 - z * C5

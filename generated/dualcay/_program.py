@@ -14,6 +14,7 @@ import sys
 from collections import deque
 from collections.abc import Callable, Iterable, Iterator, Sequence, Set
 from dataclasses import dataclass
+from functools import cache
 from itertools import groupby
 from operator import itemgetter
 from typing import Any, TypeAlias
@@ -42,6 +43,7 @@ LONG_RUN = 6
 """Least number of consecutive calls with equally many operands that run in one loop without bytecode."""
 
 
+@cache
 def bits(dtype: np.dtype[Any]) -> np.dtype[Any] | None:
     """Return the integer type of masks for numbers of a dtype, or None if masks are booleans."""
     return np.dtype(f"i{dtype.itemsize}") if dtype in (np.float64, np.float32) else None
@@ -200,10 +202,19 @@ class Rows:
             self._release(step, operands, places)
             places[index] = self._place(index)
             found.append((function, [*(places[i] for i in operands), places[index]]))
+        return [*found, *self._copies(places)]
+
+    def _copies(self, places: dict[int, tuple[str, int]]) -> Iterator[tuple[Function, list[tuple[str, int]]]]:
+        """Yield copies to the outputs that no call writes; consecutive outputs have consecutive sources if possible."""
+        kind, place, first = "", 0, 0
         for row, index in enumerate(self.outputs):
-            if self.own.get(index) != row:
-                found.append((np.positive, [places[index], ("output", row)]))
-        return found
+            if self.own.get(index) == row:
+                kind = ""
+                continue
+            place += 1
+            if kind != "output" or place == first or self.outputs[place] != index:
+                (kind, place), first = places[index], row
+            yield np.copyto, [("output", row), (kind, place)]
 
     def _operation(self, index: int) -> Operation:
         operation = self.operations[index]

@@ -358,7 +358,7 @@ CHART = Chart(
         _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _followed,
     ),
     kernels=SHARED,
-    programs="d31abe3f5c237855",
+    programs="d24b5f531e6a9d15",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -57,7 +57,7 @@ def _quaternion_scalars(m: Any, x: Any) -> Result:
 def _pose_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     x = v11 + v22 + v33
     N = 1 + x
-    r = 2 * (N / N / N)
+    r = 2 / N + (N - N)
     return r, r, 0
 
 
@@ -65,8 +65,8 @@ def _pose_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
 def _tangent_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     x = v11 + v22 + v33
     N = 1 + x
-    r = 2 * (N / N / N)
     e = 2 / N
+    r = e + (N - N)
     eg = e * r
     fy = -eg
     return r, r, 0, fy, fy, 0
@@ -76,8 +76,8 @@ def _tangent_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
 def _tangent_dot_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     x = v11 + v22 + v33
     N = 1 + x
-    r = 2 * (N / N / N)
     e = 2 / N
+    r = e + (N - N)
     eg = e * r
     fy = -eg
     egy = e * fy
@@ -125,7 +125,7 @@ def _tangent_inv_dot_scalars(m: Any, x: Any) -> Result:
 # a/b = p/q
 def _ray(m: Any, x: Any) -> Result:
     N = 1 + x
-    r = 2 * (N / N / N)
+    r = 2 / N + (N - N)
     return 1, 1, 1, r, r, 0
 
 
@@ -194,7 +194,7 @@ CHART = Chart(
         _unfolded, _reached, _coefficient, _followed,
     ),
     kernels=SHARED,
-    programs="5b9169628c36e89e",
+    programs="7f6bac3060e679ca",
 )
 
 KERNELS = PoseKernels(CHART)

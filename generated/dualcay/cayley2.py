@@ -60,7 +60,7 @@ def _pose_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     x = v11 + v22 + v33
     p = 1 - x
     N = p * p + 4 * x
-    r = 2 * (N / N / N)
+    r = 2 / N + (N - N)
     f = 2 * p * r
     g = 4 * r
     return f, g, g
@@ -71,7 +71,7 @@ def _tangent_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     x = v11 + v22 + v33
     p = 1 - x
     N = p * p + 4 * x
-    r = 2 * (N / N / N)
+    r = 2 / N + (N - N)
     f = 2 * p * r
     g = 4 * r
     x1 = 1 + x
@@ -87,7 +87,7 @@ def _tangent_dot_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     x = v11 + v22 + v33
     p = 1 - x
     N = p * p + 4 * x
-    r = 2 * (N / N / N)
+    r = 2 / N + (N - N)
     f = 2 * p * r
     g = 4 * r
     x1 = 1 + x
@@ -151,7 +151,7 @@ def _ray(m: Any, x: Any) -> Result:
     p = 1 - x
     root = 1 + x
     N = p * p + 4 * x
-    r = 2 * (N / N / N)
+    r = 2 / N + (N - N)
     f = 2 * p * r
     g = 4 * r
     return p, 2, root, f, g, g
@@ -268,7 +268,7 @@ CHART = Chart(
         _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _followed,
     ),
     kernels=SHARED,
-    programs="b99c07d8394b5a4d",
+    programs="7f4c62bc89f85830",
 )
 
 KERNELS = PoseKernels(CHART)

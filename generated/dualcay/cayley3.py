@@ -46,7 +46,7 @@ def _p_to_h(m: Any, x: Any) -> Result:
     q = 3 - x
     qq = q * q
     N = p * p + x * qq
-    r = 2 * (N / N / N)
+    r = 2 / N + (N - N)
     f = p * q * r
     g = qq * r
     h = 16 * r
@@ -324,7 +324,7 @@ CHART = Chart(
         _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _followed,
     ),
     kernels=SHARED,
-    programs="ec654a90367f13ca",
+    programs="e276ecc448f52da0",
 )
 
 KERNELS = PoseKernels(CHART)

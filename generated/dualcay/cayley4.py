@@ -45,7 +45,7 @@ def _p_to_h(m: Any, x: Any, q: Any) -> Result:
     p = (x - 6) * x + 1
     qq = q * q
     N = p * p + x * qq
-    r = 2 * (N / N / N)
+    r = 2 / N + (N - N)
     f = p * q * r
     g = qq * r
     c = (8 * x - 16) * x + 40
@@ -345,7 +345,7 @@ CHART = Chart(
         _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _followed,
     ),
     kernels=SHARED,
-    programs="137398ee5937a30f",
+    programs="1b79f0b2ba8000c5",
 )
 
 KERNELS = PoseKernels(CHART)

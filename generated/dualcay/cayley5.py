@@ -46,7 +46,7 @@ def _p_to_h(m: Any, x: Any) -> Result:
     q = (x - 10) * x + 5
     qq = q * q
     N = p * p + x * qq
-    r = 2 * (N / N / N)
+    r = 2 / N + (N - N)
     f = p * q * r
     g = qq * r
     c = (80 * x - 96) * x + 80
@@ -347,7 +347,7 @@ CHART = Chart(
         _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _followed,
     ),
     kernels=SHARED,
-    programs="e375e2fbec042a90",
+    programs="5b2d57c7cb77125d",
 )
 
 KERNELS = PoseKernels(CHART)

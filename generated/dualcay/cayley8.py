@@ -46,7 +46,7 @@ def _p_to_h(m: Any, x: Any) -> Result:
     q = ((56 - 8 * x) * x - 56) * x + 8
     qq = q * q
     N = p * p + x * qq
-    r = 2 * (N / N / N)
+    r = 2 / N + (N - N)
     f = p * q * r
     g = qq * r
     c = (((((16 * x - 224) * x + 2352) * x - 5440) * x + 6000) * x - 2016) * x + 336
@@ -370,7 +370,7 @@ CHART = Chart(
         _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _followed,
     ),
     kernels=SHARED,
-    programs="c8690ca4c1aaad5b",
+    programs="91f1c1f4446e5e7a",
 )
 
 KERNELS = PoseKernels(CHART)

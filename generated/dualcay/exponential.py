@@ -41,15 +41,17 @@ def _nearby_to_alpha(m: Any, x: Any) -> Result:
     nearby = x < 6
     z = m.where(nearby, x, x - x) / 4
     (
-        over_6, over_120, over_72681840, over_143640, over_342, over_355687428096000, over_1307674368000,
-        over_6227020800, over_39916800, over_362880, over_5040,
+        over_6, over_120, over_5040, over_362880, over_39916800, over_6227020800, over_1307674368000, over_342,
+        over_143640, over_72681840, over_355687428096000,
     ) = (
-        m.reciprocals(z, 6, 120, 72681840, 143640, 342, 355687428096000, 1307674368000, 6227020800, 39916800, 362880,
-        5040)
+        m.reciprocals(z, 6, 120, 5040, 362880, 39916800, 6227020800, 1307674368000, 342, 143640, 72681840,
+        355687428096000)
     )
+    zz = z * z
+    zzzz = zz * zz
     C7 = (
-        over_5040 - z * (over_362880 - z * (over_39916800 - z * (over_6227020800 - z * (over_1307674368000 - z
-        * (over_355687428096000 * (1 - z * (over_342 - z * (over_143640 - z * over_72681840))))))))
+        over_5040 - z * over_362880 + zz * (over_39916800 - z * over_6227020800) + zzzz * (over_1307674368000 - z
+        * (over_355687428096000 * (1 - z * over_342 + zz * (over_143640 - z * over_72681840))))
     )
     C5 = over_120 - z * C7
     C3 = over_6 - z * C5
@@ -247,15 +249,17 @@ def _ray(m: Any, x: Any) -> Result:
     zero = x - x
     z = m.where(nearby, x, zero) / 4
     (
-        over_6, over_120, over_72681840, over_143640, over_342, over_355687428096000, over_1307674368000,
-        over_6227020800, over_39916800, over_362880, over_5040,
+        over_6, over_120, over_5040, over_362880, over_39916800, over_6227020800, over_1307674368000, over_342,
+        over_143640, over_72681840, over_355687428096000,
     ) = (
-        m.reciprocals(z, 6, 120, 72681840, 143640, 342, 355687428096000, 1307674368000, 6227020800, 39916800, 362880,
-        5040)
+        m.reciprocals(z, 6, 120, 5040, 362880, 39916800, 6227020800, 1307674368000, 342, 143640, 72681840,
+        355687428096000)
     )
+    zz = z * z
+    zzzz = zz * zz
     C7 = (
-        over_5040 - z * (over_362880 - z * (over_39916800 - z * (over_6227020800 - z * (over_1307674368000 - z
-        * (over_355687428096000 * (1 - z * (over_342 - z * (over_143640 - z * over_72681840))))))))
+        over_5040 - z * over_362880 + zz * (over_39916800 - z * over_6227020800) + zzzz * (over_1307674368000 - z
+        * (over_355687428096000 * (1 - z * over_342 + zz * (over_143640 - z * over_72681840))))
     )
     C5 = over_120 - z * C7
     C3 = over_6 - z * C5
@@ -386,7 +390,7 @@ CHART = Chart(
         _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _followed,
     ),
     kernels=SHARED,
-    programs="00180063963b51b3",
+    programs="f08a712a5a77f513",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -323,7 +323,7 @@ CHART = Chart(
         _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _followed,
     ),
     kernels=SHARED,
-    programs="78465ca68de9f6da",
+    programs="43c1926f94a2d985",
     ends=True,
 )
 

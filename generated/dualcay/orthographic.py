@@ -242,7 +242,7 @@ CHART = Chart(
         _unfolded, _reached, _coefficient, _followed,
     ),
     kernels=SHARED,
-    programs="5eda66c083321aaf",
+    programs="f492ea156d7bea89",
     ends=True,
 )
 

@@ -353,7 +353,7 @@ CHART = Chart(
         _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _followed,
     ),
     kernels=SHARED,
-    programs="a6e7febbbf8ec6e4",
+    programs="c87e0fe896080ffe",
     ends=True,
 )
 

@@ -361,7 +361,7 @@ CHART = Chart(
         _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _followed,
     ),
     kernels=SHARED,
-    programs="87bde79dcafdcb6c",
+    programs="afb5965dbd1a07e2",
     ends=True,
 )
 

@@ -73,13 +73,12 @@ def run(kernel: Kernel, program: Program, arguments: Rows, table: Rows, result: 
     result must share no memory with the arguments, unless the batch is `staged`.
     """
     batch = _batch_of(result, kernel.shape, axis)
-    parts = [part for _, part in kernel.arguments]
     if staged(batch):
         if axis == 0:
-            arguments = [_extended(array, part, batch) for array, part in zip(arguments, parts)]
-        run_prepared(program, parts, kernel.shape, arguments, table, result, batch, axis)
+            arguments = [_extended(array, part, batch) for array, (_, part) in zip(arguments, kernel.arguments)]
+        run_prepared(program, kernel.arguments, kernel.shape, arguments, table, result, batch, axis)
         return
-    rows = [_rows(a, part, axis, batch) for a, part in zip(arguments, parts, strict=True)]
+    rows = [_rows(array, part, axis, batch) for array, (_, part) in zip(arguments, kernel.arguments, strict=True)]
     loop = _Loop(kernel, program, rows, table, _rows(result, kernel.shape, axis, batch))
     memory = SCRATCH.take(loop.bytes(min(BLOCK, math.prod(batch))))
     try:

@@ -5,15 +5,17 @@ For small batches most of the time of a recorded program goes into views of rows
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections import deque
+from collections.abc import Iterator, Sequence
 from functools import partial
+from itertools import groupby
 from math import prod
 from typing import Any, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ._program import COMPARISONS, Function, Program, bits, truth_bytes
+from ._program import COMPARISONS, Function, Program, bits, call, truth_bytes
 
 Array: TypeAlias = NDArray[Any]
 Shape: TypeAlias = tuple[int, ...]
@@ -43,22 +45,39 @@ class Prepared:
         self.given = [*(_laid_out(block, part, batch, axis) for block, part in blocks), *numbers]
         self.result = _laid_out(result, shape, batch, axis)
         rows = [row for block in given for row in block]
-        rows += [*numbers, *program.constants, *result, *scratch, *program.mask_rows(masks)]
+        made = [*result]
+        rows += [*numbers, *program.constants, *made, *scratch, *program.mask_rows(masks)]
         raw = np.zeros(cells, bits(program.dtype) or np.int64)
         calls = [one for function, operands in program.calls(rows) for one in _calls(function, operands, raw)]
         constant = {id(number) for number in program.constants}
-        copies = [one for one in calls if one.func is np.positive and id(one.args[0]) in constant]
-        for one in copies:  # constant results stay in their rows
+        kept = [one for one in calls if one.func is np.copyto and id(one.args[1]) in constant]
+        for one in kept:  # constant results stay in their rows
             one()
-        self.calls = [one for one in calls if one not in copies]
+        self.calls = [*_in_blocks([one for one in calls if one not in kept], made, result)]
 
     def run(self, given: Sequence[Array], result: Array) -> None:
         """Run on arguments that broadcast to the batch, then the table; they may share memory with the result."""
         for staged, array in zip(self.given, given):
             np.copyto(staged, array)
-        for one in self.calls:
-            one()
+        deque(map(call, self.calls), maxlen=0)
         np.copyto(result, self.result, casting="same_kind")
+
+
+def _in_blocks(calls: Sequence[partial[Any]], rows: Sequence[Array], block: Array) -> Iterator[partial[Any]]:
+    """Yield the calls; copies from consecutive rows of a block to consecutive rows become one copy."""
+    places = {id(row): place for place, row in enumerate(rows)}
+
+    def distances(numbered: tuple[int, partial[Any]]) -> tuple[int, ...]:
+        number, one = numbered
+        copied = one.func is np.copyto and id(one.args[1]) in places
+        return tuple(places[id(row)] - number for row in one.args) if copied else (number,)
+
+    for distance, group in groupby(enumerate(calls), distances):
+        (number, one), *others = group
+        if others:
+            target, source = (block[d + number : d + number + 1 + len(others)] for d in distance)
+            one = partial(np.copyto, target, source)
+        yield one
 
 
 def _laid_out(rows: Array, part: Shape, batch: Shape, axis: int) -> Array:
@@ -80,7 +99,7 @@ _kept: dict[tuple[Program, Shape, int], Prepared] = {}
 
 def run_prepared(
     program: Program,
-    parts: Sequence[Shape],
+    signature: Sequence[tuple[str, Shape]],
     shape: Shape,
     arguments: Sequence[Array],
     table: Sequence[Array],
@@ -92,7 +111,7 @@ def run_prepared(
     key = program, batch, axis
     prepared = _kept.pop(key, None)
     if prepared is None:
-        prepared = Prepared(program, parts, len(table), shape, batch, axis)
+        prepared = Prepared(program, [part for _, part in signature], len(table), shape, batch, axis)
     prepared.run([*arguments, *table], result)
     _kept[key] = prepared
     if len(_kept) > KEPT_MAX:

@@ -5,9 +5,10 @@ from __future__ import annotations
 import math
 import signal
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from fractions import Fraction
+from functools import partial
 from types import ModuleType
 from typing import Any
 
@@ -130,6 +131,32 @@ def test_outputs_may_be_arguments_constants_and_equal() -> None:
     a = np.array([1.0, 2.0])
     found = recorded(lambda m, a: (a, 5, a + a, a + a, -(a + a), a), np.float64, a, outputs=6)
     np.testing.assert_array_equal(found, [a, [5, 5], 2 * a, 2 * a, -2 * a, a])
+
+
+def repeated(pattern: Sequence[str], m: Any, v: Sequence[Any]) -> list[Any]:
+    """Return one output per letter of the pattern: the argument, one of two other values, or a constant."""
+    values = {"a": v[0], "s": v[0] + 2, "t": v[0] * v[0], "5": 5}
+    return [values[letter] for letter in pattern]
+
+
+def test_outputs_repeat_in_any_pattern() -> None:
+    a, generator = np.array([[1.0, 2.0]]), np.random.default_rng(0)
+    for _ in range(100):
+        pattern = generator.choice([*"ast5"], 12, p=[0.1, 0.4, 0.4, 0.1])
+        values = {"a": a[0], "s": a[0] + 2, "t": a[0] * a[0], "5": np.full(2, 5.0)}
+        wanted = np.array([values[letter] for letter in pattern])
+        program = record(partial(repeated, pattern), [1], a.dtype)
+        found = np.full_like(wanted, np.nan)
+        _prepared.Prepared(program, [(1,)], 0, wanted.shape[:1], a.shape[1:], axis=0).run([a], found)
+        np.testing.assert_array_equal(found, wanted)
+        np.testing.assert_array_equal(run(program, a[0], outputs=len(pattern)), wanted)
+
+
+def test_state_of_numpy_is_kept_and_does_not_matter() -> None:
+    v = np.full((20, 6), 1e200)
+    with np.errstate(all="raise"):
+        assert np.isnan(cayley3.pose(v)).any()
+        assert {*np.geterr().values()} == {"raise"}
 
 
 def test_constants_keep_their_sign_and_type() -> None:

@@ -19,15 +19,14 @@ SCALARS = ("s", "w", "f", "g", "h", "fy", "gy", "hy")
 
 
 def retracted(
-    trace: Geometry, scalars: Sequence[Number], delta: Sequence[Number], v: Sequence[Number], body: bool = False
+    trace: Geometry, scalars: Sequence[Number], delta: Sequence[Number], v: Sequence[Number]
 ) -> tuple[Vector, Number, Number, Vector]:
-    """Return the results of `followed` for exp(δ) R(v) or, with `body`, R(v) exp(δ), and the product's ρ."""
+    """Return the results of `followed` for exp(δ) R(v), and the product's ρ."""
     s, w, f, g, h = scalars
-    *large, size, f1, g1, r1, r2, r3 = trace.apply(displacement, "{}_1", v)
+    *large, size, _, _, r1, r2, r3 = trace.apply(displacement, "{}_1", v)
     small = (s, *(w * Vector(*delta[:3])))
     rho = translation(Point(trace, delta, "d"), f, g, h)
-    space, back = (small, f, g, delta, rho, large, (r1, r2, r3)), (large, f1, g1, v, (r1, r2, r3), small, rho)
-    found = trace.apply(composed, "{}", *(back if body else space))
+    found = trace.apply(composed, "{}", small, f, g, delta, rho, large, (r1, r2, r3))
     *re, fe, angle = trace.apply(followed, "{}", v[:3], found[:4], size, s)
     return Vector(*re), fe, angle, Vector(*found[4:])
 
@@ -72,20 +71,17 @@ def logarithm(trace: Geometry) -> Results:
 
 def retract(trace: Geometry) -> Results:
     """Vector of exp(δ) R(v), on the branch nearest v."""
-    return _retract(trace, body=False)
+    v, delta = trace.components("v", "v", 6), trace.components("delta", "d", 6)
+    s, w, f, g, h, *_ = trace.apply(exponential_scalars, "{}", delta[:3])
+    re, fe, angle, rho = retracted(trace, (s, w, f, g, h), delta, v)
+    (hi,) = trace.ask("inverse_at", (Point(trace, (*re, 0, 0, 0)).x, fe, angle))
+    return *re, *dual_part(trace, fe, hi, re, rho / 2)
 
 
 def body_retract(trace: Geometry) -> Results:
-    """Vector of R(v) exp(δ), on the branch nearest v."""
-    return _retract(trace, body=True)
-
-
-def _retract(trace: Geometry, body: bool) -> Results:
+    """Vector of R(v) exp(δ), on the branch nearest v: −w for the vector w of exp(−δ) R(−v)."""
     v, delta = trace.components("v", "v", 6), trace.components("delta", "d", 6)
-    s, w, f, g, h, *_ = trace.apply(exponential_scalars, "{}", delta[:3])
-    re, fe, angle, rho = retracted(trace, (s, w, f, g, h), delta, v, body)
-    (hi,) = trace.ask("inverse_at", (Point(trace, (*re, 0, 0, 0)).x, fe, angle))
-    return *re, *dual_part(trace, fe, hi, re, rho / 2)
+    return opposite(trace.apply(retract, "w{}", opposite(v), opposite(delta)))
 
 
 def retract_jacobians(trace: Geometry) -> Results:

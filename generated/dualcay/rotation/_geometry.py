@@ -704,13 +704,11 @@ def retract(m: Any, c: Any, v: Components, delta: Components) -> Result:
 
 
 def body_retract(m: Any, c: Any, v: Components, delta: Components) -> Result:
-    """Vector of R(v) exp(δ), on the branch nearest v."""
+    """Vector of R(v) exp(δ), on the branch nearest v: −w for the vector w of exp(−δ) R(−v)."""
+    v1, v2, v3 = v
     d1, d2, d3 = delta
-    s, w, _, _, _, _, _, _ = exponential_scalars(m, delta)
-    e0_1, e1_1, e2_1, e3_1, size_1 = displacement(m, c, v)
-    found_ = quaternion_product((e0_1, e1_1, e2_1, e3_1), (s, d1 * w, d2 * w, d3 * w))
-    w1, w2, w3, _, _ = followed(m, c, v, found_, size_1, s)
-    return w1, w2, w3
+    w1, w2, w3 = retract(m, c, (-v1, -v2, -v3), (-d1, -d2, -d3))
+    return -w1, -w2, -w3
 
 
 def retract_jacobians(m: Any, c: Any, v: Components, delta: Components) -> Result:

@@ -22,7 +22,7 @@ from ._interface import RotationKernels
 
 ORDER = 1
 
-CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="b3c5b5e51d394875")
+CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="7fbf339a155c9fb6")
 
 KERNELS = RotationKernels(CHART)
 dcay = KERNELS.tangent

@@ -22,7 +22,7 @@ from ._interface import RotationKernels
 
 ORDER = 3
 
-CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="9633155a104ef0e7")
+CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="c57af4bd8612f56c")
 
 KERNELS = RotationKernels(CHART)
 dcay = KERNELS.tangent

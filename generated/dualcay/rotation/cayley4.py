@@ -22,7 +22,7 @@ from ._interface import RotationKernels
 
 ORDER = 4
 
-CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="7e4183fcec7102f4")
+CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="f520f8bdb500a793")
 
 KERNELS = RotationKernels(CHART)
 dcay = KERNELS.tangent

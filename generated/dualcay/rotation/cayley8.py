@@ -22,7 +22,7 @@ from ._interface import RotationKernels
 
 ORDER = 8
 
-CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="bc23c82c5a6f0dd8")
+CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="ee945d1ba0db6abf")
 
 KERNELS = RotationKernels(CHART)
 dcay = KERNELS.tangent

@@ -196,7 +196,7 @@ def test_failed_validation_writes_nothing(tmp_path: Path, monkeypatch: pytest.Mo
 
     def wrong(*arguments):
         texts, name = original(*arguments), f"{arguments[0].chart.name}.py"
-        return texts | ({name: flipped(texts[name], "_pose_scalars", r"N / N / N", "1 / N / N")} if "2" in name else {})
+        return texts | ({name: flipped(texts[name], "_pose_scalars", r"\(N - N\)", "N")} if "2" in name else {})
 
     monkeypatch.setattr(road, "module_texts", wrong)
     with pytest.raises(ValidationFailed, match=r"cayley2\.tensor"):

@@ -72,8 +72,9 @@ def test_constants_that_may_be_rounded_are_refused(tmp_path: Path, number: str) 
 
 
 def test_ratio_of_equal_names_is_one(headers: Path) -> None:
-    text = gappa.script(read(headers, "pose", 3), 3, {0: "in ?"})
-    (power,) = re.findall(r"(t\d+) / \1 -> 1 {\1 <> 0}", text)
+    text = gappa.script(read(headers, "quaternion", 3), 3, {0: "in ?"})
+    (root,) = re.findall(r"(t\d+) / \1 -> 1 {\1 <> 0}", text)
+    (power,) = re.findall(rf"{root} rnd= sqrt \((t\d+)\);", text)
     assert f"/\\ {power}_exact - ((1 + square) * (1 + square) * (1 + square)) in [0, 0]" in text
     assert "_exact - (length * reach * cosine) in [0, 0]" in text
 
