@@ -123,7 +123,7 @@ class Call:
         return np.split(np.array(flat), np.cumsum([array.size for array in self.row.results])[:-1])
 
     def _other_side(self) -> list[list[np.ndarray]]:
-        """Return the other right results at half a turn: the opposite axis, and the angle on its other side."""
+        """Return the other right results at half a turn: the opposite axis, the angle or the edge on its other side."""
         name, given, known = self.row.source, self._of_poses(*self._doubles), self.chart.oracle
         if name == "principal" or name in POSES_OF:
             return [self._parts(known.shadow(getattr(known, name)(*given), branch)) for branch in (1, -1)]
@@ -132,6 +132,8 @@ class Call:
             return [self._parts((np.array([2 * mpmath.pi - angle[0], -angle[1]]), -axis))]
         if name in families.STEPS and known.order == 2 and self._turns_half(given[-1]):
             return [self._parts(getattr(known, name)(*given, other=True))]
+        if name == "from_exponential" and self.chart.edge < 3.2 and self._turns_half(given[-1]):
+            return [[-part for part in self._exact(*self._doubles)]]
         return [self._parts(getattr(known, name)(*given, -1))] if name in SIDED else []
 
     def _turns_half(self, delta: np.ndarray) -> bool:
