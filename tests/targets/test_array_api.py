@@ -15,9 +15,6 @@ import numpy as np
 import pytest
 
 import dualcay
-from derive.codegen.targets.array_api import ArrayApi
-from derive.codegen.validation import Library, replay
-from derive.maps import Cayley
 from tests.support import sampling
 from tests.support.accuracy import FUNCTIONS, Trial
 from tests.support.kernels import load
@@ -51,13 +48,6 @@ def test_gates_of_the_oracle_hold_in_every_library(array_api, library):
     for name in COMPILED if library in SLOW else FUNCTIONS:
         for regime in REGIMES if library == "torch" else SOME[:1] if library == "dask" else SOME:
             Trial(module, 3, regime).check(name)
-
-
-@pytest.mark.thorough
-def test_the_replay_runs_in_jax(folder):
-    """Replay the own functions of a chart in single precision, the default of JAX."""
-    singles = Library("jax", jax.numpy.asarray, (np.dtype(np.float32),))
-    assert replay(folder("array-api"), Cayley(1), ArrayApi.machinery, [singles], geometry=False) > 50
 
 
 @LIBRARY
