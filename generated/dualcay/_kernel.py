@@ -56,7 +56,10 @@ class Scratch:
 
     def take(self, size: int) -> Array:
         """Return a buffer that begins on a cache line; a nested call, as in a signal handler, gets another buffer."""
-        memory = self._free.pop() if self._free else np.empty(0, np.uint8)
+        try:
+            memory = self._free.pop()  # not after a look whether one is there: another thread may take it in between
+        except IndexError:
+            memory = np.empty(0, np.uint8)
         if memory.size < size:
             memory = np.empty(size + CACHE_LINE, np.uint8)
             memory = memory[-memory.ctypes.data % CACHE_LINE :]

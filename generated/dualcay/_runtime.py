@@ -323,7 +323,7 @@ def _record_and_run(
     if result.ndim == len(kernel.shape):
         one = (..., np.newaxis) if axis == 0 else (np.newaxis, ...)
         arrays, result = [array[one] for array in arrays], result[one]
-    context = SILENT.pop() if SILENT else _silent()
+    context = _silent()
     try:
         context.run(run, kernel, chart.recorded(name, dtype, len(extra), known), arrays, extra, result, axis)
     finally:
@@ -331,9 +331,13 @@ def _record_and_run(
 
 
 def _silent() -> Context:
-    context = Context()
-    context.run(np.seterr, all="ignore")
-    return context
+    """Return a kept context that no other call uses, or a new one."""
+    try:
+        return SILENT.pop()
+    except IndexError:
+        context = Context()
+        context.run(np.seterr, all="ignore")
+        return context
 
 
 @cache

@@ -58,6 +58,7 @@ class Excerpts:
     def __init__(self, preprocessed: str) -> None:
         text = re.sub(r"^#.*$", "", preprocessed, flags=re.MULTILINE)
         self.functions = {found.group(1): found.group() for found in _DEFINITION.finditer(text)}
+        self.called = {name: self.functions.keys() & re.findall(r"\w+", f) for name, f in self.functions.items()}
         self.rest = _DEFINITION.sub("", text)
 
     def needed(self, name: str) -> set[str]:
@@ -65,8 +66,7 @@ class Excerpts:
         found, new = set(), {name}
         while new:
             found |= new
-            words = {word for function in new for word in re.findall(r"\w+", self.functions[function])}
-            new = (words & self.functions.keys()) - found
+            new = set().union(*(self.called[function] for function in new)) - found
         return found
 
     def text(self, roots: Collection[str], changed: Mapping[str, str]) -> str:

@@ -48,6 +48,22 @@ def write(orders: Iterable[int], target: str, folder: Path, families: Iterable[s
     files.write(folder, dict(printed(orders, target, families)))
 
 
+def executed(charts: Iterable[Any], target: str, folder: Path) -> list[int]:
+    """Write a package and execute the functions of its charts, but not the geometry that all charts share.
+
+    Return the numbers of validated calls. Raise an error if a chart is not proved, or if its text is wrong.
+    """
+    from derive.codegen import build
+    from derive.codegen.targets import TARGETS
+
+    chosen, asked = TARGETS[target], [one for chart in charts for one in (chart.base, chart) if one]
+    package = build.print_package(asked, chosen)
+    build.files.write(folder, package.texts)
+    written = [build.write(module, chosen, folder, build.GEOMETRY, asked) for module in package.modules]
+    counted = [[build.check((name, one)) or 0 for name in build.CHECKS] for one in written]
+    return [validated for validated, *_ in counted]
+
+
 def imported(chart: Any, folder: Path) -> ModuleType:
     """Return the NumPy module of a chart, proved and printed but not validated, from a package in a folder."""
     from derive.codegen.build import print_package

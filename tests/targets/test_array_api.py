@@ -15,9 +15,6 @@ import numpy as np
 import pytest
 
 import dualcay
-from derive.codegen.targets.array_api import ArrayApi
-from derive.codegen.validation import Library, replay
-from derive.maps import Cayley
 from tests.support import libraries, sampling
 from tests.support.accuracy import FUNCTIONS, Trial
 from tests.support.kernels import load
@@ -64,13 +61,6 @@ def test_results_stay_on_the_gpu(array_api, library):
     for name in SIGNATURES:
         values = [convert(value) for value in inputs(kernel, name, 2, (5,))]
         assert getattr(module, name)(*values).device == values[0].device, name
-
-
-@pytest.mark.thorough
-def test_the_replay_runs_in_jax(folder):
-    """Replay the own functions of a chart in single precision, the default of JAX."""
-    singles = Library("jax", jax.numpy.asarray, (np.dtype(np.float32),))
-    assert replay(folder("array-api"), Cayley(1), ArrayApi.machinery, [singles], geometry=False) > 50
 
 
 @LIBRARY

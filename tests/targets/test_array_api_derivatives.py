@@ -16,7 +16,7 @@ from tests.support.kernels import load
 from tests.support.libraries import LIBRARIES, QUICKLY
 
 pytestmark = pytest.mark.filterwarnings("ignore:.torch.jit:DeprecationWarning")  # PyTorch's own, in forward mode
-SEED, BY_TORCH, BY_JAX = 3, 16, 2
+SEED, BY_TORCH, BY_JAX = 3, 16, 1
 """Seed and numbers of functions that are tried; ``python -m tests.support.derivatives`` tries more."""
 
 

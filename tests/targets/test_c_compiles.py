@@ -209,15 +209,16 @@ def test_sanitizer_sees_a_write_beyond_a_result(package, tmp_path):
 
 @pytest.mark.parametrize(("compilers", "real"), [(FAMILIES[0], REALS[0]), (FAMILIES[-1], REALS[1])])
 def test_results_agree_with_exact_ones_in_cpp(package, tmp_path, real, compilers):
+    """Compile without optimisation, which treats C++ as it treats C: overloads and conversions may differ."""
     program = tmp_path / "test"
-    flags = ("-std=c++17", "-Wall", "-Wextra", "-Werror", "-pedantic", "-O2", f"-DDUALCAY_REAL={real}")
+    flags = ("-std=c++17", "-Wall", "-Wextra", "-Werror", "-pedantic", "-O0", f"-DDUALCAY_REAL={real}")
     run(tool(compilers[1]), *flags, "-x", "c++", package / "test_cayley3.c", "-o", program)
     assert "calls agree" in run(program)
 
 
 @pytest.mark.parametrize(
     ("order", "table", "turns", "math"),
-    [(8, POSES, 3, ()), (3, ROTATIONS, 2, ()), (3, POSES, 3, ("-DDUALCAY_SIMD_MATH",))],
+    [(3, ROTATIONS, 2, ()), (8, POSES, 3, ("-DDUALCAY_SIMD_MATH",))],
 )
 def test_loops_over_rows_become_vector_code(package, tmp_path, order, table, turns, math):
     """Expect vector code for loops without tan and atan2, and with libmvec for all loops, also over turns."""
@@ -248,11 +249,14 @@ def test_vector_functions_are_asked_for_where_the_library_has_them(package, tmp_
     assert ("#define DUALCAY_SIMD " in run(*command)) == asked
 
 
-def test_the_package_installs_and_the_example_finds_it(package, tmp_path):
+def test_the_package_installs_and_the_example_finds_it(folder, tmp_path):
+    """Build the tests of one order, since those of others are compiled above."""
     cmake, place = tool("cmake"), tmp_path / "prefix"
+    others = shutil.ignore_patterns(*(f"test_cayley{n}.c" for n in ORDERS if n != 3))
+    package = shutil.copytree(folder("c"), tmp_path / "kernels", ignore=others)
     run(cmake, "-S", package, "-B", tmp_path / "package")
     run(cmake, "--build", tmp_path / "package")
-    run(tool("ctest"), "--test-dir", tmp_path / "package")
+    assert "100% tests passed, 0 tests failed out of 2" in run(tool("ctest"), "--test-dir", tmp_path / "package")
     run(cmake, "--install", tmp_path / "package", "--prefix", place)
     installed = {path.relative_to(package) for path in package.rglob("*.h")} - {Path("differential.h")}
     include = place / "include" / "dualcay"

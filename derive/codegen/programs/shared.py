@@ -54,10 +54,10 @@ def _best(
     programs: Mapping[str, Program], taken: set[str], back: bool
 ) -> tuple[Program, Sequence[str], set[str]] | None:
     """Return the helper that saves most lines, its callers and the names that it holds; None if none saves enough."""
-    written = {key: {*_written_out(program).items()} for key, program in programs.items()}
-    steps = dict.fromkeys(step for program in programs.values() for step in _written_out(program).items())
+    written = {key: dict.fromkeys(_written_out(program).items()) for key, program in programs.items()}
+    steps = dict.fromkeys(itertools.chain.from_iterable(written.values()))
     groups = dict.fromkeys(tuple(key for key, found in written.items() if step in found) for step in steps)
-    common = [set.intersection(*(written[key] for key in group)) for group in groups]
+    common = [{*written[group[0]]}.intersection(*(written[key] for key in group[1:])) for group in groups]
     saved = [(_saving(group, shared), place) for place, (group, shared) in enumerate(zip(groups, common, strict=True))]
     best, found, listed = (LEAST_SAVING - 1, 0), None, list(groups)
     for most, place in sorted(saved, key=lambda one: (-one[0], one[1])):
@@ -139,20 +139,21 @@ def _closed(shared: set[str], program: Program, back: bool) -> set[str]:
     inside, outside, kept = set[Any](), set[Any](), set[str]()
     moved = {step.name for step in _moved(program, shared)}
     for statement in program.statements[:: -1 if back else 1]:
-        before, after = set[Any](statement.args), set[Any](_assigned(statement))
-        if back:
-            before, after = after, before
-        if isinstance(statement, Assignment) and statement.name in moved and not before & outside:
-            inside |= after
-            kept |= shared & {statement.name}
-        elif before & (outside | inside):
-            outside |= after
-    return kept
+        before, after = (statement.args, _assigned(statement))[:: -1 if back else 1]
+        if not outside.isdisjoint(before):
+            outside.update(after)
+        elif isinstance(statement, Assignment) and statement.name in moved:
+            inside.update(after)
+            kept.add(statement.name)
+        elif not inside.isdisjoint(before):
+            outside.update(after)
+    return kept & shared
 
 
 def _assigned(statement: Statement) -> tuple[str, ...]:
-    names = (statement.name,) if isinstance(statement, Assignment) else statement.names
-    return tuple(name for name in names if name != "_")
+    if isinstance(statement, Assignment):
+        return (statement.name,)
+    return tuple(name for name in statement.names if name != "_")
 
 
 def _moved(program: Program, shared: set[str]) -> list[Assignment]:
@@ -183,8 +184,12 @@ def _name(outputs: Sequence[str], taken: set[str]) -> str:
 
 
 def _read_elsewhere(program: Program, shared: set[str]) -> set[Any]:
-    moved = set(_moved(program, shared))
-    return {arg for other in program.statements if other not in moved for arg in other.args} | set(program.outputs)
+    return {arg for other in _others(program, _moved(program, shared)) for arg in other.args} | set(program.outputs)
+
+
+def _others(program: Program, moved: Collection[Assignment]) -> list[Statement]:
+    names = {step.name for step in moved}
+    return [other for other in program.statements if not isinstance(other, Assignment) or other.name not in names]
 
 
 def _caller(program: Program, helper: Program, shared: set[str]) -> Program:
@@ -192,9 +197,7 @@ def _caller(program: Program, helper: Program, shared: set[str]) -> Program:
     moved, read = _moved(program, shared), _read_elsewhere(program, shared)
     names = tuple(str(output) if output in read else "_" for output in helper.outputs)
     call = Call(names, helper.name, tuple(letter for letter, _ in helper.inputs))
-    pending: list[Statement] = [
-        call if other is moved[0] else other for other in program.statements if other is moved[0] or other not in moved
-    ]
+    pending = [call if other is moved[0] else other for other in _others(program, moved[1:])]
     known = {letter for _, letters in program.inputs for letter in letters}
     ordered: list[Statement] = []
     while pending:
