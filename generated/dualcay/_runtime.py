@@ -278,8 +278,8 @@ def _beside_edge(kernel: Kernel, chart: Chart, results: Sequence[Result]) -> boo
 
 @cache
 def _limit(chart: Chart) -> float:
-    """Return v·v at the edge of a chart."""
-    return float(chart.plain.coefficient(Floats, chart.singular_angles[-1])[0]) ** 2
+    """Return v·v at the edge of a chart, by an angle that is before the edge despite rounding."""
+    return float(chart.plain.coefficient(Floats, chart.singular_angles[-1] * (1 - 2.0**-50))[0]) ** 2
 
 
 def _rounded(results: Sequence[Any], dtype: np.dtype[Any]) -> Array:
