@@ -14,7 +14,7 @@ from benchmarks.timing import LARGE
 MARGIN = 1.15
 """Least ratio for which another counts as faster; ratios on other machines vary by some 15 %."""
 
-KEPT, ONE, BATCH, EXPANDED, COMPILED_BY_JAX, ARITHMETIC, MEMORY = (
+KEPT, ONE, BATCH, WRITTEN, COMPILED_BY_JAX, ARITHMETIC, MEMORY = (
     "products of kept transforms", "one pose at a time", "batches in NumPy", "rows, beside SymPy",
     "derivatives, beside JAX", "large batches", "memory and cores",
 )  # fmt: skip
@@ -22,7 +22,7 @@ REASONS = {
     KEPT: "a kept transform is multiplied without a logarithm; multiply matrices of `pose` to do the same",
     ONE: "the other is C++ or compiled code without shapes and options; our kernels run on Python floats",
     BATCH: "a batch takes some hundred NumPy calls of 0.4 µs each, which compiled functions save",
-    EXPANDED: "SymPy expands the operators, which are polynomials for n = 2; our program serves every chart",
+    WRITTEN: "SymPy's function returns zeros and equal components as references; ours writes every row of one array",
     COMPILED_BY_JAX: "a compiled call costs 5 µs, as ours do",
     ARITHMETIC: "the other has fewer operations, or more of them at once in a register",
     MEMORY: "both wait for memory, or share the cores with others",
@@ -47,7 +47,7 @@ class Faster:
 def why(ours: Timed, peer: Timed, size: int) -> str:
     """Return the kind of reason for which the other may be faster, or a gate be missed."""
     if peer.part == kernels.ON_ROWS:
-        return MEMORY if size >= LARGE and ours.ns[size] < peer.ns[size] else EXPANDED
+        return MEMORY if size >= LARGE and ours.ns[size] < peer.ns[size] else WRITTEN
     if peer.part != PART:
         return COMPILED_BY_JAX if peer.part == kernels.DERIVATIVES else MEMORY
     if peer.call in LIBRARIES[peer.by].texts[peer.function][1:]:

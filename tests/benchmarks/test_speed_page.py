@@ -168,7 +168,7 @@ def test_faster_calls_are_named_with_their_reason() -> None:
     kinds = {faster.why: (faster.peer.by, list(faster.ratios)) for faster in slower.every(found)}
     assert kinds == {
         slower.KEPT: ("SciPy", [*SIZES]), slower.ONE: ("SciPy", [1]), slower.BATCH: ("SciPy", [100]),
-        slower.ARITHMETIC: ("SciPy", [10_000]), slower.EXPANDED: (kernels.LAMBDIFY, [*SIZES]),
+        slower.ARITHMETIC: ("SciPy", [10_000]), slower.WRITTEN: (kernels.LAMBDIFY, [*SIZES]),
     }  # fmt: skip
     assert len(slower.summary(found)) == len(kinds)
     assert "- batches in NumPy, N = 100 (up to SciPy 3 x): " in "\n".join(slower.summary(found))
