@@ -10,6 +10,8 @@ READY  := $(VENV)/.ready
 TESTED := $(VENV)/.test
 # Each worker starts with neighbouring tests, so that few fixtures are made twice; idle workers take over the rest.
 PYTEST := $(RUN) -m pytest -n auto --maxprocesses 4 --dist worksteal
+# Tests of `make test`; `make test TESTS="not coq"` runs the slow ones too, which share packages and imports with these.
+TESTS  := not thorough and not coq
 PIP    := $(RUN) -m pip --disable-pip-version-check install --quiet --quiet --constraint constraints.txt
 
 # MathJax sets the site's formulas: its version, its folder, and a stamp that is written when the folder is complete.
@@ -63,7 +65,7 @@ show: $(READY)  ## print the formulas of an order: make show N=3
 
 test: $(TESTED)  ## lint, types, stale files, proofs with controls, and all tests but the thorough ones
 	$(MAKE) --no-print-directory --jobs=2 types check lint
-	$(PYTEST) -m "not thorough and not coq"
+	$(PYTEST) -m "$(TESTS)"
 
 thorough: $(TESTED)  ## slow tests: compilers and further charts
 	$(PYTEST) -m "thorough and not coq"

@@ -37,7 +37,7 @@ CUTconst frame = document.querySelector("iframe");
 const probe = async () => {
   const view = frame.contentWindow, page = frame.contentDocument, all = what => [...page.querySelectorAll(what)];
   await view.MathJax?.startup?.promise;
-  await view.MathJax?.startup?.document.lazyTypesetAll();  // formulas out of view, too
+  if (!view.location.hash) await view.MathJax?.startup?.document.lazyTypesetAll();  // formulas out of view, too
   const texts = page.createTreeWalker(page.body, NodeFilter.SHOW_TEXT), raw = [];
   for (let node; node = texts.nextNode();)
     if (/\\[([a-z]/.test(node.data) && !node.parentNode.closest("pre, code, script, mjx-container"))

@@ -49,10 +49,7 @@ def write(orders: Iterable[int], target: str, folder: Path, families: Iterable[s
 
 
 def executed(charts: Iterable[Any], target: str, folder: Path) -> list[int]:
-    """Write a package and execute the functions of its charts, but not the geometry that all charts share.
-
-    Return the numbers of validated calls. Raise an error if a chart is not proved, or if its text is wrong.
-    """
+    """Write a package, execute its charts but not the geometry that they share; return the validated calls of each."""
     from derive.codegen import build
     from derive.codegen.targets import TARGETS
 

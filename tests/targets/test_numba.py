@@ -18,8 +18,6 @@ from numba import jit, njit
 from derive.codegen.lowered import geometry
 from derive.codegen.signatures import KERNELS
 from derive.codegen.targets import numba
-from derive.codegen.validation import NUMPY, Library, Machinery, replay
-from derive.maps import Cayley
 from tests.support import sampling
 from tests.support.accuracy import FUNCTIONS, Trial
 from tests.support.kernels import load
@@ -43,12 +41,6 @@ def inside(package):
 def test_gates_of_the_oracle_hold(compiled, name):
     for regime in REGIMES:
         Trial(compiled(ORDER), ORDER, regime).check(name)
-
-
-def test_the_replay_runs_on_compiled_loops(package):
-    """Replay in double precision only, because other tests compile the same loops."""
-    doubles = Library("numpy", np.asarray, NUMPY.dtypes[:1])
-    assert replay(package("numba"), Cayley(ORDER), Machinery(), [doubles], geometry=False) > 100
 
 
 @pytest.mark.parametrize("name", KINDS.values())

@@ -120,7 +120,8 @@ SAMPLE = [("numpy", "rotation", "lambert"), ("numpy", "", "exponential"), ("jax"
 WHOLE = [("rotation", "lambert", np.float64), ("rotation", "lambert", np.float32), ("", "cayley3", np.float64),
          ("rotation", "exponential", np.float64)]  # fmt: skip
 SLOW = WHOLE[1:3]
-"""JAX and Numba compile every call anew, and run the text that NumPy runs: they try one table in each type."""
+"""JAX and Numba compile every call anew, and run the text that NumPy runs: they try one table in each type, and half of
+the calls that others try."""
 WITH_COMPILER = [("numba", *one) for one in SLOW] + [(target, *one) for target in ("c", "native") for one in WHOLE]
 
 
@@ -140,7 +141,8 @@ def test_a_sample_of_functions_is_right_or_not_finite(functions_of: Any, target:
 )
 def test_functions_are_right_or_not_finite(functions_of: Any, target: str, table: str, name: str, dtype: Any) -> None:
     functions = functions_of(target, table, name, dtype)
-    assert wrong(functions, table, name, WHOLE.index((table, name, dtype)), 13, dtype) == []
+    share = 26 if target in ("jax", "numba") else 13
+    assert wrong(functions, table, name, WHOLE.index((table, name, dtype)), share, dtype) == []
 
 
 def test_a_target_that_takes_nan_for_zero_is_seen() -> None:
