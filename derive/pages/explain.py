@@ -79,7 +79,7 @@ def explain(chart: Chart, function: str) -> Explanation:
     >>> found.formula
     'Homogeneous matrix [[Q, ρ], [0, 1]] of R = Q + ε skew(ρ) Q, CP23 (16), (57).'
     >>> found.operations["pose_scalars"]["div"]
-    2
+    1
     """
     row = next((row for row in PUBLIC.values() if function in (row.name, *row.aliases_in(chart))), None)
     if row is None:
