@@ -37,7 +37,8 @@ CUTconst frame = document.querySelector("iframe");
 const probe = async () => {
   const view = frame.contentWindow, page = frame.contentDocument, all = what => [...page.querySelectorAll(what)];
   await view.MathJax?.startup?.promise;
-  if (!view.location.hash) await view.MathJax?.startup?.document.lazyTypesetAll();  // formulas out of view, too
+  if (view.innerWidth < 1000 && !view.location.hash)  // formulas out of view too, once for each page
+    await view.MathJax?.startup?.document.lazyTypesetAll();
   const texts = page.createTreeWalker(page.body, NodeFilter.SHOW_TEXT), raw = [];
   for (let node; node = texts.nextNode();)
     if (/\\[([a-z]/.test(node.data) && !node.parentNode.closest("pre, code, script, mjx-container"))
@@ -80,6 +81,7 @@ frame.src = "PAGE" + location.hash;
 
 TOUR = r"""<body style="margin: 0"><iframe width="1280" height="900" style="border: 0"></iframe><script>
 CUTconst frame = document.querySelector("iframe"), pages = PAGES, found = {};
+frame.sandbox = "allow-same-origin";  // without scripts, a third of the time
 frame.addEventListener("load", () => {
   for (const folded of frame.contentDocument.querySelectorAll("details")) folded.open = true;
   const wide = cut(frame.contentDocument);
