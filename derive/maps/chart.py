@@ -116,6 +116,11 @@ class Chart(ChartFormulas):
         side of the given vector part stands. The vector ends at the edge, despite rounding.
         """
 
+    @property
+    def folds(self) -> bool:
+        """True if v is finite at the edge and φ turns back there: an angle beyond it by rounding is the edge."""
+        return not self.range.is_infinite
+
     def inside(self, x: Coefficient, m: Arithmetic) -> Coefficient:
         """Return 1, or a smaller factor for a vector of square x that is beyond the edge by rounding."""
         if self.range.is_infinite:

@@ -211,8 +211,8 @@ class OrderChart(BranchesOfOrder, QuaternionChart):
 
     def _folded(self, sine: Coefficient, cosine: Coefficient, m: Arithmetic) -> Pair:
         further = m.name("further", cosine)
-        # an edge where v is finite counts as within despite rounding
-        beyond = m.less(further, 0) if self.range.is_infinite else m.less(m.beside(1, m.div(further, NOISE)), 1)
+        # at a fold, an angle that rounding puts beyond the edge counts as within
+        beyond = m.less(m.beside(1, m.div(further, NOISE)), 1) if self.folds else m.less(further, 0)
         side = m.name("side", m.where(beyond, -1, 1))
         r, slope, _ = self.phi_derivatives(m.name("sin", side * sine), m.name("cos", side * further), m)
         return m.name("r", r), m.name("slope", m.div(slope, 2 * self.order))

@@ -36,7 +36,7 @@ NOISE_GIVEN = NOISE // 4
 NOISE_OF_ANGLE = NOISE // 8
 """Divisor for noise in a given angle at the edge, where φ has the side of θ = α/2n ≤ π/2.
 
-An angle within noise has a ``cos θ`` within noise: 8 π/2 roundings are less than the 32 of `NOISE` below 1.
+The rule lets α be off by 8 roundings of the edge, so θ by 8 π/2 < 13 roundings. `NOISE` allows 32 for cos θ.
 """
 
 

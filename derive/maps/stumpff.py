@@ -19,7 +19,7 @@ Beyond `LIMIT`, sine and cosine give the functions without loss of digits.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from functools import cached_property
 from math import factorial
 from operator import add, sub
@@ -49,13 +49,21 @@ def series(zeta: Coefficient, m: Arithmetic) -> Coefficient:
     return _in_pairs([*first, m.reciprocal(zeta, unit) * _in_pairs([1, *later], zeta, m)], zeta, m)
 
 
-def _in_pairs(terms: Sequence[Coefficient], power: Coefficient, m: Arithmetic, letter: str = "z") -> Coefficient:
-    """Return ``t₀ − ζ t₁ + ζ² t₂ − …`` as sums of pairs: fewer operations in a row than by Horner's rule."""
+def _in_pairs(
+    terms: Sequence[Coefficient],
+    power: Coefficient,
+    m: Arithmetic,
+    letter: str = "z",
+    join: Callable[[Coefficient, Coefficient], Coefficient] = sub,
+) -> Coefficient:
+    """Return ``t₀ − ζ t₁ + ζ² t₂ − …`` as sums of pairs: fewer operations in a row than by Horner's rule.
+
+    The power is ζ at first, then ζ² with the sums of pairs as terms, and so on; the letter names it.
+    """
     if len(terms) == 1:
         return terms[0]
-    join = sub if letter == "z" else add
     pairs = [join(a, power * b) for a, b in zip(terms[::2], terms[1::2], strict=False)]
-    return _in_pairs([*pairs, *terms[2 * len(pairs) :]], m.name(2 * letter, power * power), m, 2 * letter)
+    return _in_pairs([*pairs, *terms[2 * len(pairs) :]], m.name(2 * letter, power * power), m, 2 * letter, add)
 
 
 class Stumpff:

@@ -24,8 +24,10 @@ pytestmark = pytest.mark.smoke
 
 NAMES = (*(f"cayley{n}" for n in ORDERS), *FAMILIES)
 POLES = ("cayley1", "scaled1")  # half a turn is at infinity
-USER = {"beyond": "alpha/(1 + alpha**2/40)", "ending": "sin(alpha/2) + sin(3*alpha/2)/40"}
-"""Formulas of a user: one whose chart goes beyond half a turn, and one that ends there, where dφ/dα = 0."""
+USER = {
+    "beyond": "alpha/(1 + alpha**2/40)", "ending": "sin(alpha/2) + sin(3*alpha/2)/40", "cut": "alpha + sin(alpha)/2"
+}  # fmt: skip
+"""Formulas of a user: charts that go beyond half a turn, that end there, where dφ/dα = 0, and that are cut at 4π."""
 
 FOLDS = ("orthographic", "lambert", "sine3", "sine4")
 SAMPLE = ("cayley1", "cayley2", "cayley3", "exponential", "orthographic", "sine4")
@@ -237,6 +239,18 @@ def no_result_is_beyond_the_edge(poses: ModuleType, module: Any, dtype: Any) -> 
     for name, v in found.items():
         if name != "interpolate" or name_of(poses) in FOLDS:
             assert np.isfinite(module.quaternion(v)).all(), name
+
+
+@DTYPES
+def test_angles_beyond_a_cut_lose_a_turn(both: tuple[ModuleType, ModuleType], dtype: Any) -> None:
+    """Go beyond the end of a chart at 4π, where φ does not turn back, by one to four roundings."""
+    if name_of(both[0]) != "cut":
+        return
+    for module in forms(both[1], dtype):
+        for roundings in range(1, 5):
+            angle = 16 * np.arctan(dtype(1)) * (1 + roundings * np.finfo(dtype).eps)
+            v = module.from_exponential(axes(dtype) * angle)
+            np.testing.assert_allclose(abs(v).max(), 8 * np.arctan(dtype(1)), rtol=100 * np.finfo(dtype).eps)
 
 
 @pytest.mark.parametrize(

@@ -125,7 +125,7 @@ def _reached(chart: Chart, trace: Trace, angle: Number) -> tuple[Number]:
     last = turned(2 * trace.atan2(off, 1), chart.edge - sympy.pi, "last")
     left = turned(-angle, chart.edge, "left")
     beyond = trace.less(left, 0)
-    if not chart.range.is_infinite:  # an edge where v is finite counts as within despite rounding
+    if chart.folds:  # an angle that rounding puts beyond the edge counts as within
         end = trace.name("edge", angle + left)
         beyond = trace.less(trace.beside(end, trace.div(left, NOISE_OF_ANGLE)), end)
     return (trace.name("within", trace.where(beyond, last, angle)),)

@@ -200,6 +200,10 @@ class General(AngleChart):
     def range(self) -> sympy.Expr:
         return sympy.oo if self._edge.kind == "pole" else super().range
 
+    @property
+    def folds(self) -> bool:
+        return self._edge.kind == "fold"
+
     def require_kernels(self) -> None:
         """Raise `PhiError` if kernels cannot compute the chart to full precision."""
         try:
@@ -237,7 +241,7 @@ class General(AngleChart):
         own = m.name(f"square{mark}", angle * angle)
         over = m.name(f"over{mark}", plus(own, limit, m, f"within{mark}"))
         none = m.name(f"none{mark}", own - own)
-        if self._edge.kind == "fold":
+        if self.folds:
             left = m.where(m.less(own, m.beside(own, m.div(over, NOISE))), none, 1 + none)
         else:
             left = m.where(m.less(over, 0), 1 + none, none)
