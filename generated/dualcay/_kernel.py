@@ -57,7 +57,7 @@ class Scratch:
     def take(self, size: int) -> Array:
         """Return a buffer that begins on a cache line; a nested call, as in a signal handler, gets another buffer."""
         try:
-            memory = self._free.pop()  # not after a look whether one is there: another thread may take it in between
+            memory = self._free.pop()  # without a test before it: another thread may take the last one in between
         except IndexError:
             memory = np.empty(0, np.uint8)
         if memory.size < size:

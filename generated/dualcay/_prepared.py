@@ -8,7 +8,7 @@ For small batches most of the time of a recorded program goes into views of rows
 
 from __future__ import annotations
 
-from collections import deque
+from collections import OrderedDict, deque
 from collections.abc import Iterator, Sequence
 from functools import partial
 from itertools import groupby
@@ -97,7 +97,8 @@ def _calls(function: Function, operands: tuple[Array, ...], raw: Array) -> list[
     return [partial(COMPARISONS[function], *given, truth_bytes(raw)), partial(np.negative, raw, mask)]
 
 
-_kept: dict[tuple[Program, Shape, int], Prepared] = {}
+_kept: OrderedDict[tuple[Program, Shape, int], Prepared] = OrderedDict()
+"""Prepared programs, the last used at the end. Each method of it runs to its end before another thread runs."""
 
 
 def run_prepared(
@@ -118,4 +119,4 @@ def run_prepared(
     prepared.run([*arguments, *table], result)
     _kept[key] = prepared
     if len(_kept) > KEPT_MAX:
-        _kept.pop(next(iter(_kept)), None)
+        _kept.popitem(last=False)

@@ -206,6 +206,8 @@ class Rows:
 
     def _copies(self, places: dict[int, tuple[str, int]]) -> Iterator[tuple[Function, list[tuple[str, int]]]]:
         """Yield copies to the outputs that no call writes; consecutive outputs have consecutive sources if possible."""
+        # Source of the last copy, and first target of its block. A block is copied at once, so that all of its sources
+        # must lie before its first target.
         kind, place, first = "", 0, 0
         for row, index in enumerate(self.outputs):
             if self.own.get(index) == row:

@@ -46,8 +46,12 @@ VECTORS = ((6,), (3,))
 FACTORS = {"1": 1, "-1": -1, "0.5": 0.5, "-0.5": -0.5}
 """Factors of a frame; a recorded program knows them, and multiplies by 0.5 only."""
 
-SILENT: list[Context] = []
-"""Contexts in which NumPy does not warn, one per concurrent call; to enter one is faster than ``np.errstate``."""
+SILENT = Context()
+"""Context in which NumPy does not warn. To enter a copy is faster than ``np.errstate``.
+
+A handler of a signal that interrupts a kernel sees no context variables of the caller.
+"""
+SILENT.run(np.seterr, all="ignore")
 
 RAISED = (ZeroDivisionError, OverflowError, ValueError)
 """Errors of Python arithmetic at singular points, where IEEE arithmetic returns inf or NaN."""
@@ -85,7 +89,7 @@ class Singles(Floats):
     def beside(size: float, term: float) -> float:
         """Return size + term, or the size where float32 would: for terms up to half the spacing of its numbers there.
 
-        The spacing below a power of two is half of that above. Rounding the sum would also round a size between numbers
+        The size is 0 or in the normal range of float32, and not negative. The spacing below a power of two is half of that above. Rounding the sum would also round a size between numbers
         of float32, and any term could move it.
         """
         share, power = math.frexp(size)
@@ -250,8 +254,8 @@ def _one_by_one(
         return None
     extra = (constants(table, dtype),) if table else ()
     try:
-        poses = zip(*[_poses(a, part, batch, axis, dtype) for a, (_, part) in zip(arrays, kernel.arguments)])
-        with np.errstate(all="ignore") if functions is Scalars else nullcontext():
+        with np.errstate(all="ignore") if functions in (Scalars, Singles) else nullcontext():
+            poses = zip(*[_poses(a, part, batch, axis, dtype) for a, (_, part) in zip(arrays, kernel.arguments)])
             results = [kernel.plain(functions, chart.plain, *pose, *extra) for pose in poses]
             finite = functions is Objects or math.isfinite(sum(chain.from_iterable(results)))
     except RAISED:
@@ -278,7 +282,7 @@ def _beside_edge(kernel: Kernel, chart: Chart, results: Sequence[Result]) -> boo
 
 @cache
 def _limit(chart: Chart) -> float:
-    """Return v·v at the edge of a chart, by an angle that is before the edge despite rounding."""
+    """Return v·v at the edge of a chart, taken 2⁻⁵⁰ of the angle before it, since φ may be NaN at the rounded edge."""
     return float(chart.plain.coefficient(Floats, chart.singular_angles[-1] * (1 - 2.0**-50))[0]) ** 2
 
 
@@ -323,21 +327,7 @@ def _record_and_run(
     if result.ndim == len(kernel.shape):
         one = (..., np.newaxis) if axis == 0 else (np.newaxis, ...)
         arrays, result = [array[one] for array in arrays], result[one]
-    context = _silent()
-    try:
-        context.run(run, kernel, chart.recorded(name, dtype, len(extra), known), arrays, extra, result, axis)
-    finally:
-        SILENT.append(context)
-
-
-def _silent() -> Context:
-    """Return a kept context that no other call uses, or a new one."""
-    try:
-        return SILENT.pop()
-    except IndexError:
-        context = Context()
-        context.run(np.seterr, all="ignore")
-        return context
+    SILENT.copy().run(run, kernel, chart.recorded(name, dtype, len(extra), known), arrays, extra, result, axis)
 
 
 @cache

@@ -279,14 +279,18 @@ def test_signal_handler_may_call_kernels(count: int) -> None:
 
     def handler(*_: Any) -> None:
         inner.append(cayley3.pose(-v[:100]))
+        np.seterr(all="raise")  # it holds for the interrupted call at most
 
     former = signal.signal(signal.SIGALRM, handler)
-    try:
-        signal.setitimer(signal.ITIMER_REAL, 1e-3, 1e-3)
-        results = [cayley3.pose(v) for _ in range(400_000 // count)]
-    finally:
-        signal.setitimer(signal.ITIMER_REAL, 0)
-        signal.signal(signal.SIGALRM, former)
+    with np.errstate():
+        try:
+            signal.setitimer(signal.ITIMER_REAL, 1e-3, 1e-3)
+            results = [cayley3.pose(v) for _ in range(400_000 // count)]
+        finally:
+            signal.setitimer(signal.ITIMER_REAL, 0)
+            signal.signal(signal.SIGALRM, former)
+    with np.errstate(all="raise"):
+        assert np.isnan(cayley3.pose(np.full((count, 6), 1e200))).any()
     assert all(np.array_equal(result, expected) for result in results)
     assert inner
     assert all(np.array_equal(result, cayley3.pose(-v[:100])) for result in inner)
