@@ -67,7 +67,7 @@ class Given:
     def of(self, module: ModuleType, T: np.ndarray) -> np.ndarray:
         return np.asarray(module.from_tensor(T[:3, :3] if self.of_rotations else moved(T)))
 
-    def arguments(self, row: Function) -> tuple[np.ndarray, ...] | None:
+    def arguments(self, row: Function) -> tuple[np.ndarray, ...]:
         names = [array.name for array in row.arguments]
         T, word = pose(self.u, self.angle), row.source.partition("_")[0]
         if len(names) > 1 and word in SECOND:

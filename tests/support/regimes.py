@@ -49,7 +49,7 @@ class Call:
         among = tuple(part[-1] for part in crowd)
         reason = self._wrong(among)
         doubles = alone[0].dtype == np.float32 and self.chart.singles_in_double
-        if doubles and (self.fate == OUTSIDE or not self.row.real):  # branches are chosen in float32
+        if doubles and (self.fate == OUTSIDE or not self.row.real):  # equal to float64, rounded
             reason = reason or self._rounded(function, alone)
             if self.fate == OUTSIDE and reason:  # where a root is not real, the single runs in float32 too
                 reason = self._wrong(among) or self._wrong(alone)

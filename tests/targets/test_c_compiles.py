@@ -218,7 +218,7 @@ def test_results_agree_with_exact_ones_in_cpp(package, tmp_path, real, compilers
 
 @pytest.mark.parametrize(
     ("order", "table", "turns", "math"),
-    [(3, ROTATIONS, 2, ()), (8, POSES, 3, ("-DDUALCAY_SIMD_MATH",))],
+    [(3, POSES, 3, ()), (3, ROTATIONS, 2, ()), (8, POSES, 3, ("-DDUALCAY_SIMD_MATH",))],
 )
 def test_loops_over_rows_become_vector_code(package, tmp_path, order, table, turns, math):
     """Expect vector code for loops without tan and atan2, and with libmvec for all loops, also over turns."""
