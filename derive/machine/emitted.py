@@ -58,7 +58,7 @@ class PythonModule:
         self.folder = folder
         with reading(f"{chart}.py", folder):
             self.module = importlib.import_module(f"{package}.{chart}")
-            self.number_functions = importlib.import_module(f"{package}._runtime").Objects
+            self.number_functions = importlib.import_module(f"{package}._numbers").Objects
 
     def geometry(self, name: str) -> Transcript:
         """Return the transcript of a geometry program, called as a user does."""

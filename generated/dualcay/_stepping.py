@@ -20,7 +20,8 @@ from ._geometry import KERNELS
 from ._interface import BODY_INV, SPACE_INV
 from ._kernel import Array
 from ._motion import MotionError
-from ._runtime import FLOAT, Floats, constants
+from ._numbers import FLOAT, Floats
+from ._runtime import constants
 from ._switching import switch_angle
 from ._twist import Twist
 

@@ -14,7 +14,7 @@ import pytest
 from derive.about import FAMILIES, ORDERS
 from derive.codegen.rows import Function
 from derive.codegen.signatures import POSES, ROTATIONS
-from dualcay import _runtime
+from dualcay import _numbers
 from tests.support import sampling
 
 CHARTS = [f"cayley{n}" for n in ORDERS if n > 1] + [name for name in FAMILIES if name != "scaled1"]
@@ -135,14 +135,14 @@ def test_terms_that_float32_loses_are_lost(size: float) -> None:
     size = float(of(size))
     for term in size * EPS * np.array([0.0, 0.2, 0.26, 0.4, 0.51, 0.9, 1.1, 4.0, np.nan]):
         for signed in (float(of(term)), -float(of(term))):
-            found, whole = _runtime.Singles.beside(size, signed), of(size) + of(signed)
+            found, whole = _numbers.Singles.beside(size, signed), of(size) + of(signed)
             assert [found < size, found == size] == [whole < of(size), whole == of(size)], signed
-    assert _runtime.Singles.beside(0.0, -1e-45) < 0
+    assert _numbers.Singles.beside(0.0, -1e-45) < 0
 
 
 @pytest.mark.parametrize("name", ["cayley2", "exponential", "lambert"])
 def test_noise_that_chooses_a_branch_is_seen(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     """Control: the rule of float64 takes noise of float32 for a sign, in every map that has one."""
-    monkeypatch.setattr(_runtime.Singles, "beside", staticmethod(operator.add))
+    monkeypatch.setattr(_numbers.Singles, "beside", staticmethod(operator.add))
     seen = {call.partition("[")[0] for call in wrong(name, "")}
     assert seen >= {"from_tensor", "from_quaternion", "compose", "between", "principal", "local", "compose_jacobians"}

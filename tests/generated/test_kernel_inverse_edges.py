@@ -17,7 +17,7 @@ import pytest
 
 from derive.about import FAMILIES, ORDERS
 from derive.maps.any_phi.parameterization import parameterization
-from dualcay import _runtime, unwrap
+from dualcay import _numbers, _runtime, unwrap
 from tests.support import packages, sampling
 
 pytestmark = pytest.mark.smoke
@@ -256,8 +256,8 @@ def test_angles_beyond_a_cut_lose_a_turn(both: tuple[ModuleType, ModuleType], dt
 @pytest.mark.parametrize(
     ("chart", "broken", "law"),
     [
-        ("cayley2", (_runtime.Singles, "beside", staticmethod(operator.add)), one_rule_of_sides),
-        ("exponential", (_runtime.Singles, "beside", staticmethod(operator.add)), one_rule_of_sides),
+        ("cayley2", (_numbers.Singles, "beside", staticmethod(operator.add)), one_rule_of_sides),
+        ("exponential", (_numbers.Singles, "beside", staticmethod(operator.add)), one_rule_of_sides),
         ("orthographic", (_runtime, "_beside_edge", lambda *_: False), no_result_is_beyond_the_edge),
     ],
 )

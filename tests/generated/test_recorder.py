@@ -18,9 +18,9 @@ import pytest
 from numpy.typing import NDArray
 
 from dualcay import _kernel, _prepared, _program, _recorder, cayley1, cayley2, cayley3
+from dualcay._numbers import Floats, Objects, Scalars
 from dualcay._program import Program
 from dualcay._recorder import Number, record
-from dualcay._runtime import Floats, Objects, Scalars
 
 Text = Callable[..., tuple[Any, ...]]
 DTYPES = [np.float32, np.float64, np.longdouble, np.complex64, np.complex128]

@@ -15,7 +15,7 @@ from typing import Any
 
 import pytest
 
-from dualcay import _geometry, _runtime, cayley3
+from dualcay import _geometry, _numbers, _runtime, cayley3
 from tests.generated import test_kernel_groups as groups
 from tests.generated import test_kernel_roundtrips as roundtrips
 from tests.generated import test_kernel_signs as rules
@@ -119,7 +119,7 @@ def users(program: str) -> list[str]:
 @pytest.fixture(autouse=True)
 def single_poses(monkeypatch: pytest.MonkeyPatch) -> None:
     """Run kernels pose by pose on every batch; roots of negative numbers are NaN."""
-    monkeypatch.setattr(_runtime.Floats, "sqrt", staticmethod(lambda x: math.sqrt(x) if x >= 0 else math.nan))
+    monkeypatch.setattr(_numbers.Floats, "sqrt", staticmethod(lambda x: math.sqrt(x) if x >= 0 else math.nan))
     monkeypatch.setattr(_runtime, "POINTWISE_MAX", sys.maxsize)
 
 

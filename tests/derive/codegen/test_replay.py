@@ -31,7 +31,7 @@ def texts() -> Mapping[str, str]:
 
 
 WRONG = {
-    "selection on floats": ("_runtime.py", r"return a if condition else b", "return b if condition else a"),
+    "selection on floats": ("_numbers.py", r"return a if condition else b", "return b if condition else a"),
     "order of arguments": ("_interface.py", r'"transform_point", axis', '"transform_point", -1'),
     "two results split at 3": (
         "_interface.py", r"screw\[:2, \.{3}\], screw\[2:, \.{3}\]", "screw[:3, ...], screw[3:, ...]",
