@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections import OrderedDict, deque
 from collections.abc import Iterator, Sequence
+from contextlib import suppress
 from functools import partial
 from itertools import groupby
 from math import prod
@@ -119,4 +120,5 @@ def run_prepared(
     prepared.run([*arguments, *table], result)
     _kept[key] = prepared
     if len(_kept) > KEPT_MAX:
-        _kept.popitem(last=False)
+        with suppress(KeyError):  # other threads may have taken out all in between
+            _kept.popitem(last=False)
