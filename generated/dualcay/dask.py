@@ -172,8 +172,8 @@ def apply(kernel: Callable[..., Any], *arrays: Any, axis: int = -1, **options: A
 
     Notes
     -----
-    Values equal those of the kernel on NumPy arrays. Only blocks of 20 poses or fewer may differ in the last bit,
-    because they run on Python floats, whose ``tan`` and ``atan2`` are not NumPy's.
+    Values equal those of the kernel on NumPy arrays. Only blocks of a few poses may differ by rounding: they run on
+    Python floats, whose ``tan`` and ``atan2`` are not NumPy's, and float32 is rounded once there.
     Several arguments need known sizes of chunks: ``compute_chunk_sizes`` finds them after a selection by a mask.
 
     Examples

@@ -250,6 +250,7 @@ def test_angles_beyond_a_cut_lose_a_turn(both: tuple[ModuleType, ModuleType], dt
         for roundings in range(1, 5):
             angle = 16 * np.arctan(dtype(1)) * (1 + roundings * np.finfo(dtype).eps)
             v = module.from_exponential(axes(dtype) * angle)
+            # the angle rounds by 4 eps of 2π, φ′ = 3/2 there; the rest is for an angle by tan and atan2
             np.testing.assert_allclose(abs(v).max(), 8 * np.arctan(dtype(1)), rtol=100 * np.finfo(dtype).eps)
 
 
