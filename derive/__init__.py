@@ -30,6 +30,7 @@ from typing import TYPE_CHECKING
 from .about import __version__
 
 if TYPE_CHECKING:
+    from .claims import check
     from .codegen import generate
     from .front import Cayley, Parameterization, family
     from .maps import x
@@ -37,11 +38,11 @@ if TYPE_CHECKING:
     from .motion_equations import motion_equation
     from .pages.comparison import compare
     from .pages.explain import explain
-    from .papers import check, verify
+    from .papers import verify
 
 _HOMES = dict.fromkeys(("Cayley", "Parameterization", "family"), "front") | {
     "alpha": "maps.families", "x": "maps", "motion_equation": "motion_equations", "generate": "codegen",
-    "compare": "pages.comparison", "explain": "pages.explain", "check": "papers", "verify": "papers",
+    "compare": "pages.comparison", "explain": "pages.explain", "check": "claims", "verify": "papers",
 }  # fmt: skip
 __all__ = [
     "Cayley", "Parameterization", "__version__", "alpha", "check", "compare", "explain", "family", "generate",
@@ -50,7 +51,7 @@ __all__ = [
 
 _OWN = {
     "__init__.py", "__main__.py", "about.py", "front.py", "motion_equations.py", "workers.py",
-    "algebra", "cli", "codegen", "machine", "maps", "output", "pages", "papers", "proof",
+    "algebra", "claims", "cli", "codegen", "machine", "maps", "output", "pages", "papers", "proof",
 }  # fmt: skip
 """Modules and packages of this folder. An installed folder may also hold files of another distribution."""
 

@@ -38,7 +38,7 @@ PAPERS = ("condurache-popa-2023", "karakilic-2010")
 """Slugs of the registered papers: names of files and packages in `derive.papers`."""
 
 FORMATS = ("text", "json", "markdown", "html", "latex")
-"""Keys of `derive.papers.report.FORMATS`."""
+"""Keys of `derive.claims.report.FORMATS`."""
 
 
 def checkout() -> Path | None:

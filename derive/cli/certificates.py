@@ -7,7 +7,7 @@ import json
 from collections.abc import Iterable, Sequence
 from typing import Any
 
-from ..papers import Result
+from ..claims import Result
 from ..papers.entry_certificate import certificate as of_equation
 from ..proof import Proof
 from ..proof.certificate import Certificate

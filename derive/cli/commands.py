@@ -164,9 +164,9 @@ def run() -> int:
 
 
 def _exit_codes() -> dict[type[Exception], int]:
+    from ..claims import UndecidedError
+    from ..claims.numbers.balls import MissingLibraryError
     from ..codegen import RefusedError, ValidationFailed
-    from ..papers import UndecidedError
-    from ..papers.numbers.balls import MissingLibraryError
     from ..proof import ProofFailed
 
     return {ProofFailed: 1, ValidationFailed: 1, UndecidedError: 1, RefusedError: 3, OSError: 3,

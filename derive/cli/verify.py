@@ -11,12 +11,13 @@ from pathlib import Path
 import click
 
 from .. import about
+from ..claims import ORDERS, ClaimError, Paper, Sheet, SheetError, Status, check_sheets, claim_alone, load
+from ..claims.report import FORMATS, Report, as_text, data
 from ..maps import Cayley
 from ..output import facts, files
 from ..output.tables import columns
-from ..papers import ORDERS, PAPERS, ClaimError, Paper, Sheet, SheetError, Status, check_sheets, claim_alone, load
+from ..papers import PAPERS
 from ..papers import verify as decide
-from ..papers.report import FORMATS, Report, as_text, data
 from ..proof import citing, proofs, theorems
 from . import display, options
 from .certificates import certified

@@ -12,11 +12,11 @@ from collections import Counter
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
+from ..claims import Result, Status
+from ..claims.report.content import example
+from ..claims.report.pages import differing_sides
 from ..output import facts
 from ..output.progress import bar
-from ..papers import Result, Status
-from ..papers.report.content import example
-from ..papers.report.pages import differing_sides
 from .field_facts import COLLECTIONS, TRUE, WRONG, Document, Place, anchor, as_json, correction, decided, sheets
 
 # The page holds verdicts of equations that can be decided, so a busy machine must not end one of them.

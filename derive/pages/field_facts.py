@@ -9,10 +9,10 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from ..claims import SECONDS, Result, Sheet, Status, check_sheets, load
+from ..claims.language.written import written
 from ..output.facts import json_rows
 from ..output.progress import no_op
-from ..papers import SECONDS, Result, Sheet, Status, check_sheets, load
-from ..papers.language.written import written
 
 LIBRARY = Path(__file__).parent.parent / "papers" / "field"
 TRUE, WRONG = (Status.HOLDS, Status.HOLDS_IF), (Status.FALSE, Status.ERRATUM)

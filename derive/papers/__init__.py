@@ -1,22 +1,13 @@
-"""Entries for the equations of two papers; `verify` computes the status of each.
+"""The papers, as data, and documents in use; `verify` decides the equations of a paper or of a file.
 
-=====================  ========================================================================
-numbers                fields in which formulas are evaluated, and values of symbols
-language               terms, operators, values and evaluation of formulas
-equation               entries for printed equations and claims, and papers with their sections
-result                 verdicts and status of an entry
-condurache_popa_2023   formulas of CP23, one module for each section, and the words of its equations in a file
+=====================  ======================================================================
+condurache_popa_2023   formulas of CP23, one module for each section, and their words in a file
 karakilic_2010.toml    claims of K10, in the same form as the files of users
-deciding               one claim: points where it may fail, conditions, regions, changes that mend it, proof
-decide                 decision of an entry
-entry_certificate      certificate of an entry: both sides of its equations as integer lists
-transcript             equations of a file that follows a paper's text, with stated conditions
-sheet                  papers as TOML files, read to entries
-run                    decision of a file's equations in worker processes
-report                 results as text, JSON, Markdown, HTML and LaTeX
-=====================  ========================================================================
+field                  documents in use, as files of claims
+package                papers whose formulas stand in the modules of a package
+=====================  ======================================================================
 
-Each module imports only from modules above it in the table. The package of a paper has its own table:
+The package of a paper has its own table:
 
 ===========  ================================================================================
 text.toml    words of its equations: lines and characters of the extracted text, titles, remarks
@@ -29,20 +20,17 @@ sections     formulas in printed order; a section may use symbols of earlier sec
 from __future__ import annotations
 
 import warnings
-from collections.abc import Callable, Collection, Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from contextlib import nullcontext
 from pathlib import Path
 
 from .. import about
+from ..claims import ORDERS, SECONDS, Entry, Paper, Result, check_sheets, load
+from ..claims.decide import decide
+from ..claims.sheet import sheet
 from ..output.listing import Listing
 from ..output.progress import bar, no_op
-from .decide import decide
-from .deciding.claim import ORDERS
-from .equation import Entry, Paper, Reading, UndecidedError, equation
-from .language.abbreviations import ClaimError
-from .result import Result, Status, Verdict
-from .run import SECONDS, decide_each
-from .sheet import Sheet, SheetError, claim_alone, load, sheet
+from .package import Package
 
 
 def registered(slug: str) -> Paper:
@@ -50,58 +38,17 @@ def registered(slug: str) -> Paper:
     name = slug.replace("-", "_")
     file = Path(__file__).parent / f"{name}.toml"
     if not file.exists():
-        return Paper.of_package(name)
-    return sheet(file.read_text(encoding="utf-8"), f"{__name__.replace('.', '/')}/{file.name}")
+        return Package.read(name, entry_at)
+    return sheet(file.read_text(encoding="utf-8"), f"{__name__.replace('.', '/')}/{file.name}", entry_at)
+
+
+def entry_at(source: str, number: str) -> Entry:
+    """Return the entry of a registered paper by the path of its module or file, and its number."""
+    entries = (entry for paper in PAPERS for entry in paper.entries())
+    return next(entry for entry in entries if (entry.source, entry.number) == (source, number))
 
 
 PAPERS = tuple(map(registered, about.PAPERS))
-
-
-def check(claim: str, /, *, domain: str = "", seconds: float = SECONDS, **letters: str) -> Result:
-    """Decide one claim.
-
-    Parameters
-    ----------
-    claim : str
-        Relation in plain text, such as ``"R*transpose(R) == I"``. It is parsed, never evaluated.
-    domain : str, optional
-        Relation that states where the claim is said to hold.
-    seconds : float, optional
-        Time limit; a slower claim is undecided.
-    **letters : str
-        Kind of each letter, such as ``v="vector"`` or ``n="unit vector"``.
-
-    Returns
-    -------
-    Result
-        Its `status` is "holds", "holds-if" with the condition `found`, "false" with a counterexample and `changes` that
-        make the claim true, or "undecided" with the reason as `method`.
-
-    Raises
-    ------
-    ValueError
-        If the claim, the domain or a kind cannot be read: with the column and what was expected.
-
-    Examples
-    --------
-    >>> import derive
-    >>> derive.check("inverse(exp(skew(v))) == exp(skew(-v))", v="vector")
-    <Result holds>
-    """
-    with bar() as step:
-        step("claim")
-        (result,) = check_sheets([claim_alone(claim, letters, domain)], None, seconds)
-    return result
-
-
-def check_sheets(
-    sheets: Sequence[Sheet], numbers: Collection[str] | None = None, seconds: float = SECONDS,
-    step: Callable[[str], None] = no_op,
-) -> Listing[Result]:
-    """Decide the equations of files; `numbers` chooses some, and `step` is called after each."""
-    places = [(sheet, place, entry.number) for sheet in sheets for place, entry in enumerate(sheet.entries())]
-    items = [(sheet, place) for sheet, place, number in places if numbers is None or number in numbers]
-    return Listing(decide_each(items, seconds, step))
 
 
 def verify(
@@ -170,7 +117,4 @@ def verify(
     return results
 
 
-__all__ = [
-    "ORDERS", "PAPERS", "SECONDS", "ClaimError", "Entry", "Paper", "Reading", "Result", "Sheet", "SheetError", "Status",
-    "UndecidedError", "Verdict", "check", "check_sheets", "claim_alone", "equation", "load", "verify",
-]  # fmt: skip
+__all__ = ["PAPERS", "entry_at", "registered", "verify"]

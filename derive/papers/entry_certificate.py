@@ -6,15 +6,15 @@ from collections.abc import Sequence
 from typing import Any
 
 from ..algebra.element import Element
+from ..claims.deciding.claim import ORDERS, Claim
+from ..claims.deciding.proof import Pairs, proved
+from ..claims.equation import Entry
+from ..claims.language import operator_table
+from ..claims.language.printed import Apply, Symbol, Term, text
+from ..claims.language.written import written
+from ..claims.result import Result, Status
 from ..proof.certificate import Certificate, part
 from ..proof.identity import Sides
-from .deciding.claim import ORDERS, Claim
-from .deciding.proof import Pairs, proved
-from .equation import Entry
-from .language import operator_table
-from .language.printed import Apply, Symbol, Term, text
-from .language.written import written
-from .result import Result, Status
 
 TERMS_MAX = 2000
 """Largest number of terms in a certified polynomial; equations with more are listed with their number of terms."""

@@ -13,14 +13,14 @@ import click
 from docutils import nodes
 
 import dualcay
+from derive.claims.language.kinds import LETTERS
+from derive.claims.language.operations import OPERATIONS
 from derive.cli.commands import cli
 from derive.codegen.catalogue import committed
 from derive.codegen.lowered import lower_chart
 from derive.codegen.signatures import POSES
 from derive.codegen.targets.c import levels, shared_geometry
 from derive.output import templates
-from derive.papers.language.kinds import LETTERS
-from derive.papers.language.operations import OPERATIONS
 from dualcay import cayley2
 from dualcay.rotation import cayley2 as rotation
 

@@ -14,11 +14,11 @@ from scipy.integrate import solve_ivp
 
 import derive
 from derive.algebra.arithmetic import Arithmetic
+from derive.claims.language import values
+from derive.claims.language.environment import Env
+from derive.claims.numbers.generic import Generic
 from derive.motion_equations import KINDS, MotionEquation, motion_equation
 from derive.papers.condurache_popa_2023 import cp23_notation
-from derive.papers.language import values
-from derive.papers.language.environment import Env
-from derive.papers.numbers.generic import Generic
 from tests.support import motions
 from tests.support.libraries import LIBRARIES, QUICKLY
 

@@ -7,15 +7,16 @@ from contextlib import suppress
 from dataclasses import replace
 from functools import partial
 
-from derive.papers import PAPERS, Result
-from derive.papers.decide import decide
-from derive.papers.deciding.claim import Claim
-from derive.papers.deciding.places import places
-from derive.papers.equation import Entry
-from derive.papers.language.operator_table import negated
-from derive.papers.language.printed import RELATION, Apply, Number, Symbol, Term
-from derive.papers.numbers.balls import BlurredError
-from derive.papers.numbers.quantities import PROPOSITION
+from derive.claims import Result
+from derive.claims.decide import decide
+from derive.claims.deciding.claim import Claim
+from derive.claims.deciding.places import places
+from derive.claims.equation import Entry
+from derive.claims.language.operator_table import negated
+from derive.claims.language.printed import RELATION, Apply, Number, Symbol, Term
+from derive.claims.numbers.balls import BlurredError
+from derive.claims.numbers.quantities import PROPOSITION
+from derive.papers import PAPERS
 
 from .mutant import EQUIVALENT, KILLED, SURVIVED, Mutant, Verdict
 

@@ -17,12 +17,12 @@ from unittest import mock
 
 import pytest
 
+from derive.claims.decide import decide
+from derive.claims.equation import Entry, equation
+from derive.claims.language.operator_table import Re, cross, equal, iff, implies, nonzero, zero
+from derive.claims.language.printed import Number, Symbol, Term, text
 from derive.codegen.programs.program import Assignment, Program
 from derive.papers import PAPERS
-from derive.papers.decide import decide
-from derive.papers.equation import Entry, equation
-from derive.papers.language.operator_table import Re, cross, equal, iff, implies, nonzero, zero
-from derive.papers.language.printed import Number, Symbol, Term, text
 from tests.mutants import __main__ as command
 from tests.mutants.lines import changes as line_changes
 from tests.mutants.mutant import EQUIVALENT, KILLED, SURVIVED, Mutant, Verdict, sampled, tried

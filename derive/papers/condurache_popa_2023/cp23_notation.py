@@ -7,10 +7,10 @@ from typing import Any
 
 from ...algebra import Quaternion, Tensor, Vector
 from ...algebra.element import Element
-from ..language.environment import Env
-from ..language.operator_table import define, dyad, identity, norm, skew
-from ..language.printed import ATOM, LIST, PRODUCT, RELATION, SUM, Symbol, Term, Trait, with_trait
-from ..numbers.fields import UndefinedError, innermost
+from ...claims.language.environment import Env
+from ...claims.language.operator_table import define, dyad, identity, norm, skew
+from ...claims.language.printed import ATOM, LIST, PRODUCT, RELATION, SUM, Symbol, Term, Trait, with_trait
+from ...claims.numbers.fields import UndefinedError, innermost
 
 
 def _letters(quantity: str, shape: str, ending: str = "", mark: str = "") -> Callable[..., Symbol]:

@@ -17,6 +17,7 @@ import pytest
 import derive
 from derive import about
 from derive.__main__ import NEEDED
+from derive.claims.report import FORMATS
 from derive.cli import commands, display, options
 from derive.codegen import Difference
 from derive.codegen.package import command as header
@@ -25,7 +26,6 @@ from derive.codegen.targets import TARGETS
 from derive.maps import Cayley
 from derive.output import write
 from derive.papers import PAPERS
-from derive.papers.report import FORMATS
 from tests.support.command import ROOT, dualcay, in_a_process
 
 

@@ -9,11 +9,11 @@ from typing import Any
 
 import pytest
 
+from derive.claims import Result, Sheet, Status, Verdict
+from derive.claims.run import decide_each, undecided
+from derive.claims.sheet import sheet
 from derive.pages import field
 from derive.pages.field_facts import WRONG, Document, Place, anchor, as_json, document, facts, sheets
-from derive.papers import Result, Sheet, Status, Verdict
-from derive.papers.run import decide_each, undecided
-from derive.papers.sheet import sheet
 
 DOCS = Path(__file__).parents[3] / "docs"
 PAGE, JSON = ((DOCS / name).read_text(encoding="utf-8") for name in ("field.md", "field.json"))

@@ -12,9 +12,10 @@ import pytest
 import sympy
 
 from derive.algebra.element import Element
-from derive.papers import PAPERS, Result, Status, UndecidedError, verify
+from derive.claims import Result, Status, UndecidedError
+from derive.claims.decide import decide
+from derive.papers import PAPERS, verify
 from derive.papers.condurache_popa_2023.definitions import preimages
-from derive.papers.decide import decide
 
 PAPER = PAPERS[0]
 LOST = PAPER.lost
@@ -39,7 +40,7 @@ SAMPLE = 6  # stride of the sample: tests decide every sixth entry that holds; `
 
 @pytest.fixture(scope="module")
 def numbers() -> list[str]:
-    modules = (importlib.import_module(f"{PAPER.package}.sections.{section}") for section in SECTIONS)
+    modules = (importlib.import_module(f"derive.papers.{PAPER.name}.sections.{section}") for section in SECTIONS)
     return [entry.number for module in modules for entry in module.ENTRIES]
 
 

@@ -10,9 +10,9 @@ from pathlib import Path
 import pytest
 
 import derive
-from derive.papers import ClaimError, Result, SheetError, Status, check_sheets, load
-from derive.papers.numbers.balls import flint
-from derive.papers.report import FORMATS, Report
+from derive.claims import ClaimError, Result, SheetError, Status, check_sheets, load
+from derive.claims.numbers.balls import flint
+from derive.claims.report import FORMATS, Report
 from tests.support.command import dualcay
 
 GOOD = """

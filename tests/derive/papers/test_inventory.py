@@ -9,8 +9,10 @@ from itertools import pairwise
 
 import pytest
 
-from derive.papers import PAPERS, Paper, verify
-from tests.support.imports import ROOT, imported, sources
+from derive.claims import Paper
+from derive.papers import PAPERS, verify
+from derive.papers.package import Package
+from tests.support.imports import ROOT, sources
 
 pytestmark = pytest.mark.smoke
 
@@ -65,7 +67,7 @@ def test_source_of_an_entry_is_its_module_or_file(paper) -> None:
             assert entry.source == f"derive/papers/{paper.slug.replace('-', '_')}.toml"
             continue
         holder = importlib.import_module(entry.source.removesuffix(".py").replace("/", "."))
-        assert entry.source.startswith(f"{paper.package.replace('.', '/')}/sections/")
+        assert entry.source.startswith(f"derive/papers/{paper.name}/sections/")
         assert entry.number in {held.number for held in holder.ENTRIES}
 
 
@@ -76,76 +78,11 @@ def test_equations_are_chosen_by_string_or_list():
         verify("condurache-popa-2023", "112,999")
 
 
-BASE = ("derive", "papers")
-PACKAGES = tuple(paper.package.rpartition(".")[2] for paper in PAPERS if paper.package)
-DECIDING = ("deciding", "decide", "entry_certificate", "transcript", "sheet", "run")
-IN_DECIDING = ("sharp", "claim", "constrained", "singular", "zeros", "places", "conditions", "regions", "changes",
-               "near", "proof", "witness", "finding")  # fmt: skip
-ENTRIES = ("equation", "result")
-ROOMS = ("numbers", "language", *ENTRIES, *PACKAGES, *DECIDING, "report", "")
-"""Import order: each subpackage or module may import itself and earlier ones; the empty name is derive.papers."""
-
-IN_A_PAPER = ("notation", "definitions", "sections")
-"""Import order inside the package of a paper."""
-
-
-def found() -> list[tuple[tuple[str, ...], tuple[str, ...]]]:
-    """Return pairs of importing and imported modules, as tuples of name parts below derive.papers."""
-    pairs = ((name, module) for name, file in sources(*BASE) for module in imported(file))
-    return [(name, module[2:]) for name, module in pairs if module[:2] == BASE]
-
-
-def room(name: tuple[str, ...]) -> str:
-    return name[0] if name else ""
-
-
-def allowed(importer: tuple[str, ...], name: tuple[str, ...]) -> bool:
-    if room(importer) in PACKAGES and room(name) == room(importer):
-        return allowed_in_a_paper(importer[1:], name[1:])
-    if room(importer) == room(name) == "deciding":
-        return IN_DECIDING.index(name[1]) <= IN_DECIDING.index(importer[1])
-    return ROOMS.index(room(name)) <= ROOMS.index(room(importer))
-
-
-def allowed_in_a_paper(importer: tuple[str, ...], name: tuple[str, ...]) -> bool:
-    if importer[0] == name[0] == "sections":
-        return name < importer  # alphabetical order is the order of sections
-    return IN_A_PAPER.index(part(name)) <= IN_A_PAPER.index(part(importer))
-
-
-def part(name: tuple[str, ...]) -> str:
-    """Return the part of a paper's package to which a module belongs; files begin with the paper's short name."""
-    return name[0].rpartition("_")[2]
-
-
-def test_imports_run_one_way() -> None:
-    assert len(found()) > 300
-    assert [pair for pair in found() if not allowed(*pair)] == []
-
-
-def test_every_room_is_in_the_table() -> None:
-    assert {room(name) for name, _ in sources(*BASE)} == set(ROOMS)
-
-
-@pytest.mark.parametrize("paper", [p for p in PAPERS if p.package], ids=lambda paper: paper.short)
+@pytest.mark.parametrize("paper", [p for p in PAPERS if isinstance(p, Package)], ids=lambda paper: paper.short)
 def test_words_of_a_package_follow_its_formulas(paper) -> None:
     assert list(paper.words) == [entry.number for entry in paper.entries()]
     with pytest.raises(KeyError, match="'22'"):
         replace(paper, words={number: row for number, row in paper.words.items() if number != "22"}).entries()
-
-
-@pytest.mark.parametrize(
-    ("importer", "name"),
-    [(("numbers", "generic"), ("language", "printed")), (("language", "printed"), ("equation",)),
-     (("transcript",), ("sheet",)), (("deciding", "claim"), ("deciding", "places")),
-     (("deciding", "near"), ("decide",)),
-     ((PACKAGES[0], "definitions", "orders"), (PACKAGES[0], "sections")),
-     ((PACKAGES[0], "sections", "s03_rigid_motion"), (PACKAGES[0], "sections", "s04_dual_quaternions")),
-     (("equation",), ("decide",)), (("decide",), ())],
-)  # fmt: skip
-def test_imports_against_the_order_are_refused(importer, name) -> None:
-    assert not allowed(importer, name)
-    assert allowed(name, importer) or room(importer) in PACKAGES
 
 
 def test_imports_inside_the_toolkit_are_relative() -> None:

@@ -10,10 +10,11 @@ from typing import Any
 import pytest
 
 import derive
-from derive.papers import PAPERS, Status, UndecidedError
-from derive.papers.decide import decide
-from derive.papers.equation import characters
-from derive.papers.sheet import Sheet, sheet
+from derive.claims import Status, UndecidedError
+from derive.claims.decide import decide
+from derive.claims.equation import characters
+from derive.claims.sheet import Sheet, sheet
+from derive.papers import PAPERS
 from tests.support.command import dualcay
 from tests.support.imports import ROOT
 

@@ -11,11 +11,11 @@ from typing import Any
 import pytest
 import sympy
 
+from derive.claims.equation import Entry
+from derive.claims.language.printed import Apply, Number, Symbol, Term, walk
 from derive.maps import Cayley, closed_forms
 from derive.maps.cayley import EQUATIONS
 from derive.papers import PAPERS
-from derive.papers.equation import Entry
-from derive.papers.language.printed import Apply, Number, Symbol, Term, walk
 from derive.proof import formulas
 from derive.proof import notation as m
 from derive.proof.components import STATEMENTS

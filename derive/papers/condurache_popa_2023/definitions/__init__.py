@@ -1,4 +1,4 @@
 """Definitions of the paper's symbols, against which its printed formulas are checked.
 
-Each function takes the arguments of `derive.papers.language.environment.Definition`: the environment, then values.
+Each function takes the arguments of `derive.claims.language.environment.Definition`: the environment, then values.
 """

@@ -7,16 +7,16 @@ from functools import cache
 from typing import Any
 
 from ....algebra import Quaternion, Tensor, Vector, real_part
+from ....claims.language import values
+from ....claims.language.common_definitions import condition
+from ....claims.language.environment import Env
+from ....claims.numbers.every_order import EveryOrder
+from ....claims.numbers.fields import UndefinedError, innermost
 from ....maps import Cayley, first_principles
 from ....maps.chart import Chart
 from ....maps.elementary import evaluate
 from ....maps.families import alpha as angle_of_phi
 from ....proof.proved import citing
-from ...language import values
-from ...language.common_definitions import condition
-from ...language.environment import Env
-from ...numbers.every_order import EveryOrder
-from ...numbers.fields import UndefinedError, innermost
 from .motions import half_angle
 from .orders import cayley
 

@@ -6,12 +6,12 @@ from collections.abc import Callable
 from typing import Any
 
 from ....algebra import Quaternion, Tensor, Vector, real_part
+from ....claims.language import values
+from ....claims.language.common_definitions import condition
+from ....claims.language.environment import Env
+from ....claims.language.values import dualise
+from ....claims.numbers.fields import innermost
 from ....maps import first_principles
-from ...language import values
-from ...language.common_definitions import condition
-from ...language.environment import Env
-from ...language.values import dualise
-from ...numbers.fields import innermost
 
 Frame = Callable[[int], Vector]
 """Vectors of a basis by number, 1 to 3."""

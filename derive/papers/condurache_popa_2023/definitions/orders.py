@@ -6,12 +6,12 @@ from collections.abc import Callable
 from typing import Any
 
 from ....algebra import Dual, Quaternion, Tensor, Vector, real_part
+from ....claims.language import values
+from ....claims.language.common_definitions import condition, screw_quaternion, screw_tensor
+from ....claims.language.environment import Env
+from ....claims.numbers.fields import UndefinedError
 from ....maps import first_principles
 from ....maps.exponential import tensor_exponential
-from ...language import values
-from ...language.common_definitions import condition, screw_quaternion, screw_tensor
-from ...language.environment import Env
-from ...numbers.fields import UndefinedError
 from . import dual_algebra, motions
 
 

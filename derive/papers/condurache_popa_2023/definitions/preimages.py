@@ -31,7 +31,7 @@ from functools import cache
 
 from ....algebra.element import Element
 from ....algebra.exact import RationalFunctions
-from ...language.environment import Env
+from ....claims.language.environment import Env
 
 Step = Callable[..., tuple[Element, Element]]
 """Function from ``F``, ``G`` and t to both polynomials of the next order."""

@@ -9,12 +9,12 @@ from collections.abc import Callable
 from typing import Any
 
 from ....algebra import Dual, Tensor, Vector
+from ....claims.language import values
+from ....claims.language.common_definitions import condition, plain
+from ....claims.language.environment import Env
+from ....claims.numbers.fields import innermost
 from ....maps import first_principles
 from ....maps.pose import line_through, pose_from_tensor
-from ...language import values
-from ...language.common_definitions import condition, plain
-from ...language.environment import Env
-from ...numbers.fields import innermost
 from .motions import AXES
 
 

@@ -1,9 +1,9 @@
 """Section 8, tangent operators of the exponential and of the Cayley maps of order n: lines 388-412."""
 
 from ....algebra import real_part
+from ....claims.numbers.fields import innermost
 from ....maps import first_principles
 from ....maps.exponential import tensor_exponential
-from ...numbers.fields import innermost
 from ..definitions import orders, velocities
 from ..definitions.cayley_maps import proved
 from . import *

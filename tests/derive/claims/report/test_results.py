@@ -8,14 +8,15 @@ from types import SimpleNamespace
 
 import pytest
 
-from derive.papers import PAPERS, Entry, Reading, Result, Status, equation
-from derive.papers.language.operator_table import Re, equal, nonzero
-from derive.papers.language.printed import Symbol, latex
-from derive.papers.report.content import Report, command, domain, example, extent, label, place, readings, why
-from derive.papers.report.pages import notes
-from derive.papers.report.plain import escape, plain
-from derive.papers.report.text import as_text, table
-from derive.papers.result import Counterexample, Verdict
+from derive.claims import Entry, Reading, Result, Status, equation
+from derive.claims.language.operator_table import Re, equal, nonzero
+from derive.claims.language.printed import Symbol, latex
+from derive.claims.report.content import Report, command, domain, example, extent, label, place, readings, why
+from derive.claims.report.pages import notes
+from derive.claims.report.plain import escape, plain
+from derive.claims.report.text import as_text, table
+from derive.claims.result import Counterexample, Verdict
+from derive.papers import PAPERS
 
 a, b = Symbol("a", "dual number"), Symbol("b", "dual number")
 SHOWN = Counterexample("generic point 1", {"a": ["0.5", "-0.25"], r"\alpha": ["2"]}, (["0.5", "3"], ["0.5", "4"]))

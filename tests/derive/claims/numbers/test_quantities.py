@@ -8,14 +8,14 @@ from itertools import product
 import pytest
 
 from derive.algebra import Dual, Quaternion, Structure, Tensor, Vector, dual_part, real_part
-from derive.papers.deciding.claim import Claim, Place
-from derive.papers.equation import equation
-from derive.papers.language.operator_table import equal
-from derive.papers.language.printed import Symbol
-from derive.papers.numbers.balls import Ball, Balls, arb, precision
-from derive.papers.numbers.generic import Generic
-from derive.papers.numbers.kinds import KINDS, polynomial, special, sphere
-from derive.papers.numbers.quantities import QUANTITIES
+from derive.claims.deciding.claim import Claim, Place
+from derive.claims.equation import equation
+from derive.claims.language.operator_table import equal
+from derive.claims.language.printed import Symbol
+from derive.claims.numbers.balls import Ball, Balls, arb, precision
+from derive.claims.numbers.generic import Generic
+from derive.claims.numbers.kinds import KINDS, polynomial, special, sphere
+from derive.claims.numbers.quantities import QUANTITIES
 
 EXACT = [quantity for quantity in QUANTITIES.values() if quantity.exact is not None]
 IN_PYTHON = [name for name, kind in KINDS.items() if QUANTITIES[name].exact and not kind.constant]

@@ -9,16 +9,16 @@ import pytest
 import sympy
 
 from derive.algebra import Quaternion, matrix
-from derive.papers.language.abbreviations import Abbreviation, ClaimError, Scope, expanded
-from derive.papers.language.claims import statement
-from derive.papers.language.environment import Env
-from derive.papers.language.kinds import LETTERS, letter
-from derive.papers.language.operations import OPERATIONS
-from derive.papers.language.printed import Symbol
-from derive.papers.language.written import written
-from derive.papers.numbers.balls import Balls, precision
-from derive.papers.numbers.kinds import KINDS
-from derive.papers.numbers.series import SeriesField
+from derive.claims.language.abbreviations import Abbreviation, ClaimError, Scope, expanded
+from derive.claims.language.claims import statement
+from derive.claims.language.environment import Env
+from derive.claims.language.kinds import LETTERS, letter
+from derive.claims.language.operations import OPERATIONS
+from derive.claims.language.printed import Symbol
+from derive.claims.language.written import written
+from derive.claims.numbers.balls import Balls, precision
+from derive.claims.numbers.kinds import KINDS
+from derive.claims.numbers.series import SeriesField
 
 LETTER = {
     "v": "vector", "w": "vector", "x": "real", "y": "real", "a": "real", "b": "positive", "c": "real", "n": "order",

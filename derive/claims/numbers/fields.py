@@ -1,7 +1,7 @@
 """Fields in which formulas are evaluated, with their elementary functions.
 
 `Exact` consists of rational functions of independent symbols, which decide a formula for all values at once. Numbers of
-points are those of `derive.papers.numbers.balls`.
+points are those of `derive.claims.numbers.balls`.
 """
 
 from __future__ import annotations

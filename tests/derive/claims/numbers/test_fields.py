@@ -8,9 +8,9 @@ import pytest
 
 from derive.algebra import Dual, Quaternion, Tensor, Vector, ZeroDivisorError
 from derive.algebra.element import NotExactError
-from derive.papers.numbers.balls import Ball, Balls, arb, precision
-from derive.papers.numbers.fields import Exact, Field, UndefinedError, integer_power
-from derive.papers.numbers.kinds import versor
+from derive.claims.numbers.balls import Ball, Balls, arb, precision
+from derive.claims.numbers.fields import Exact, Field, UndefinedError, integer_power
+from derive.claims.numbers.kinds import versor
 
 pytestmark = pytest.mark.smoke
 

@@ -6,10 +6,10 @@ from itertools import product
 
 import pytest
 
-from derive.papers.deciding.claim import Claim
-from derive.papers.deciding.finding import decided
-from derive.papers.result import Status
-from derive.papers.sheet import claim_alone
+from derive.claims.deciding.claim import Claim
+from derive.claims.deciding.finding import decided
+from derive.claims.result import Status
+from derive.claims.sheet import claim_alone
 
 MATRICES = ("tensor", "rotation", "dual tensor", "orthogonal dual tensor", "pose")
 FAMILIES = {

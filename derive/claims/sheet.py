@@ -8,12 +8,12 @@ from __future__ import annotations
 import re
 import tomllib
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
 from typing import Any
 
-from .equation import Entry, Paper, Reading
+from .equation import Entry, Home, Paper, Reading
 from .language.abbreviations import Abbreviation, ClaimError, Scope, expanded
 from .language.claims import statement, tree
 from .language.kinds import letter
@@ -99,8 +99,8 @@ def load(path: str | Path) -> Sheet:
     return sheet(text, name)
 
 
-def sheet(text: str, name: str) -> Sheet:
-    """Return the sheet of a text with the file's name."""
+def sheet(text: str, name: str, home: Home | None = None) -> Sheet:
+    """Return the sheet of a text with the file's name; `home` finds its entries again when they are pickled."""
     try:
         data = tomllib.loads(text)
     except (tomllib.TOMLDecodeError, RecursionError, ValueError) as error:
@@ -133,7 +133,7 @@ def sheet(text: str, name: str) -> Sheet:
         printed = {OPERATIONS[call].operator: text for call, text in shown.items() if call in OPERATIONS}
         transcript = Transcript(name, scope, printed, tuple(map(int, sections))) if stated else None
         found = [reader.entry(number, row, scope, transcript) for number, row in enumerate(equations, 1)]
-        return tuple(entry for entry in found if entry is not None), tuple(reader.problems)
+        return tuple(replace(entry, home=home) for entry in found if entry is not None), tuple(reader.problems)
 
     citation = ". ".join(part for part in (about.get("title", ""), about.get("source", "")) if part)
     return Sheet(

@@ -6,10 +6,10 @@ from dataclasses import replace
 
 import pytest
 
-from derive.papers.decide import decide
-from derive.papers.numbers.balls import Ball, Balls, BlurredError, arb, flint, precision
-from derive.papers.result import Result
-from derive.papers.sheet import claim_alone
+from derive.claims.decide import decide
+from derive.claims.numbers.balls import Ball, Balls, BlurredError, arb, flint, precision
+from derive.claims.result import Result
+from derive.claims.sheet import claim_alone
 
 V, VW, X, A, R = {"v": "vector"}, {"v": "vector", "w": "vector"}, {"x": "real"}, {"a": "angle"}, {"R": "rotation"}
 

@@ -29,7 +29,7 @@ class Generic:
     """Generic values of some free symbols.
 
     Coefficients are dual if `dual` and carry rates up to the order `moving`, as in
-    `derive.papers.language.environment.Env`. Multiples of ``angle/steps`` have exact sine and cosine. A frame is chosen
+    `derive.claims.language.environment.Env`. Multiples of ``angle/steps`` have exact sine and cosine. A frame is chosen
     along the vectors if `framed`. The magnitude of the first vector is itself an angle if `turning`. With the symbol
     `order`, the values hold for every n; then the other symbols contain at most one vector and one angle.
     """

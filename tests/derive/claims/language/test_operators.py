@@ -5,18 +5,18 @@ from __future__ import annotations
 import pytest
 
 from derive.algebra import Dual, Tensor, Vector
+from derive.claims.language import values
+from derive.claims.language.common_definitions import condition
+from derive.claims.language.environment import Env
+from derive.claims.language.matrices import exp
+from derive.claims.language.operator_table import Re, cos, epsilon, equal, implies, nonzero, norm, sin, tan, tan2
+from derive.claims.language.printed import Apply, Symbol, Trait, latex, shown_as, symbols, takes_apart, text, with_trait
+from derive.claims.numbers.balls import Balls
+from derive.claims.numbers.kinds import KINDS
+from derive.claims.numbers.quantities import QUANTITIES
 from derive.maps.pose import Pose
 from derive.papers import PAPERS
 from derive.papers.condurache_popa_2023.cp23_notation import is_algebraic
-from derive.papers.language import values
-from derive.papers.language.common_definitions import condition
-from derive.papers.language.environment import Env
-from derive.papers.language.matrices import exp
-from derive.papers.language.operator_table import Re, cos, epsilon, equal, implies, nonzero, norm, sin, tan, tan2
-from derive.papers.language.printed import Apply, Symbol, Trait, latex, shown_as, symbols, takes_apart, text, with_trait
-from derive.papers.numbers.balls import Balls
-from derive.papers.numbers.kinds import KINDS
-from derive.papers.numbers.quantities import QUANTITIES
 from tests.mutants.statements import changed
 
 a, b, r = Symbol("a", "dual number"), Symbol("b", "dual number"), Symbol("r", "real")

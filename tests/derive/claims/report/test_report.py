@@ -12,12 +12,13 @@ from pathlib import Path
 import pytest
 from rich.cells import cell_len
 
-from derive.papers import PAPERS, Result, Status, verify
-from derive.papers.language.printed import Symbol
-from derive.papers.report import FORMATS, Report
-from derive.papers.report.pages import differing_sides, mathml
-from derive.papers.report.plain import escape, plain
-from derive.papers.result import Verdict
+from derive.claims import Result, Status
+from derive.claims.language.printed import Symbol
+from derive.claims.report import FORMATS, Report
+from derive.claims.report.pages import differing_sides, mathml
+from derive.claims.report.plain import escape, plain
+from derive.claims.result import Verdict
+from derive.papers import PAPERS, verify
 from derive.proof import theorems
 
 SAMPLE = ("14", "20", "orthogonal", "zero-components", "half-angle", "5")

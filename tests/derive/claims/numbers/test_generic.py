@@ -8,10 +8,10 @@ import pytest
 
 from derive.algebra import Dual
 from derive.algebra.element import NotExactError
-from derive.papers.language.printed import Symbol
-from derive.papers.numbers.every_order import EveryOrder
-from derive.papers.numbers.generic import Generic
-from derive.papers.numbers.quantities import QUANTITIES
+from derive.claims.language.printed import Symbol
+from derive.claims.numbers.every_order import EveryOrder
+from derive.claims.numbers.generic import Generic
+from derive.claims.numbers.quantities import QUANTITIES
 
 t, v, w = (Symbol(name, "dual vector") for name in "tvw")
 u1, u2, u3 = (Symbol(f"u{i}", "unit vector") for i in (1, 2, 3))

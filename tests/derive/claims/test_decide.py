@@ -7,14 +7,12 @@ import sys
 
 import pytest
 
-from derive.papers import PAPERS, Reading, Status, UndecidedError, equation
-from derive.papers.condurache_popa_2023.cp23_notation import alpha, positive, u, v
-from derive.papers.condurache_popa_2023.definitions import cayley_maps
-from derive.papers.decide import decide
-from derive.papers.deciding.sharp import is_sharp
-from derive.papers.equation import Entry, faithful
-from derive.papers.language.common_definitions import defined, unequal
-from derive.papers.language.operator_table import (
+from derive.claims import Reading, Status, UndecidedError, equation
+from derive.claims.decide import decide
+from derive.claims.deciding.sharp import is_sharp
+from derive.claims.equation import Entry, faithful
+from derive.claims.language.common_definitions import defined, unequal
+from derive.claims.language.operator_table import (
     Re,
     both,
     cases,
@@ -38,9 +36,12 @@ from derive.papers.language.operator_table import (
     words,
     zero,
 )  # fmt: skip
-from derive.papers.language.operator_table import identity as I
-from derive.papers.language.printed import Symbol, latex
-from derive.papers.result import Result
+from derive.claims.language.operator_table import identity as I
+from derive.claims.language.printed import Symbol, latex
+from derive.claims.result import Result
+from derive.papers import PAPERS
+from derive.papers.condurache_popa_2023.cp23_notation import alpha, positive, u, v
+from derive.papers.condurache_popa_2023.definitions import cayley_maps
 
 a, b, c = (Symbol(name, "dual number") for name in "abc")
 w = Symbol("w", "dual vector")
@@ -191,7 +192,7 @@ def test_condition_with_a_true_point_outside_is_not_sharp() -> None:
 
 
 def test_value_is_refused_if_the_form_states_none(monkeypatch) -> None:
-    monkeypatch.setattr(sys.modules["derive.papers.deciding.finding"], "is_sharp", lambda *_: True)
+    monkeypatch.setattr(sys.modules["derive.claims.deciding.finding"], "is_sharp", lambda *_: True)
     with pytest.raises(UndecidedError, match="its form says no value, but there is one"):
         decided(equal(norm(a) * norm(a) / norm(a), a), condition=positive(Re(a)))
 

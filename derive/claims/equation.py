@@ -16,14 +16,10 @@ An entry in Python that fits none of these raises `UndecidedError`. The conditio
 
 from __future__ import annotations
 
-import importlib
 import re
-import tomllib
-from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
-from functools import cached_property
-from pathlib import Path
-from typing import Any
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from typing import Any, TypeAlias
 
 from ..output.typeset import Typeset
 from .language.abbreviations import Abbreviation, contracted, expanded
@@ -33,6 +29,9 @@ from .language.printed import Symbol, Term, latex, rate_depth, symbols, text, wa
 
 class UndecidedError(Exception):
     """Error for an entry without a status: its condition, correction or reading is missing or wrong."""
+
+
+Home: TypeAlias = Callable[[str, str], "Entry"]
 
 
 @dataclass(frozen=True)
@@ -74,6 +73,7 @@ class Entry(Typeset):
     said: str = ""  # words of the paper, for a claim without a display
     remark: str = ""  # one sentence for the report
     source: str = ""  # path of the module or file that defines the entry; filled in by `Paper.entries`
+    home: Home | None = field(default=None, compare=False)  # finds the entry by its source and number
     written: Term | None = None  # claim of a file before its definitions are filled in
     mended: Term | None = None  # correction of a file before its definitions are filled in
     abbreviations: Mapping[str, Abbreviation] = field(default_factory=dict, compare=False)  # definitions of its file
@@ -114,19 +114,11 @@ class Entry(Typeset):
         return f"<Equation ({self.number}): {self.title}>"
 
     def __reduce_ex__(self, protocol: Any) -> Any:
-        """Return the place of an entry of a paper, whose definitions are functions that pickle refuses."""
-        return (_entry_at, (self.source, self.number)) if self.source else super().__reduce_ex__(protocol)
+        """Return the place of an entry whose definitions are functions that pickle refuses."""
+        return super().__reduce_ex__(protocol) if self.home is None else (self.home, (self.source, self.number))
 
     def _typeset(self) -> str:
         return rf"\text{{({self.number})}}\quad {latex(self.readings[0].statement)}"
-
-
-def _entry_at(source: str, number: str) -> Entry:
-    """Return the entry with a number that a module or file of a registered paper defines."""
-    papers = importlib.import_module(__package__).PAPERS
-    entries = (entry for paper in papers for entry in paper.entries())
-    found: Entry = next(entry for entry in entries if (entry.source, entry.number) == (source, number))
-    return found
 
 
 def equation(number: str, printed: Term | tuple[Reading, ...], **rest: Any) -> Entry:
@@ -186,7 +178,7 @@ def require_complete(entry: Entry, lost: str) -> None:
 
 @dataclass(frozen=True)
 class Paper:
-    """Paper whose equations are entries: formulas in the modules of a package, words in its file ``text.toml``."""
+    """Paper whose equations are entries."""
 
     slug: str
     short: str = ""
@@ -195,33 +187,10 @@ class Paper:
     claims: Mapping[int, str] = field(default_factory=dict)  # further lines of the text, with the entries for them
     reasons: Mapping[str, str] = field(default_factory=dict)  # lines that claim nothing, by reason
     doi: str = ""
-    package: str = ""  # name of its package
-    words: Mapping[str, Mapping[str, Any]] = field(default_factory=dict, repr=False)  # fields of entries by number
-
-    @staticmethod
-    def of_package(name: str) -> Paper:
-        """Return the paper of a package beside this module."""
-        data = tomllib.loads((Path(__file__).parent / name / "text.toml").read_text(encoding="utf-8"))
-        words = {row["number"]: row for row in data["equation"]}
-        claims = {int(line): numbers for line, numbers in data["claims"].items()}
-        package = f"{__package__}.{name}"
-        return Paper(**data["paper"], claims=claims, reasons=data["reasons"], package=package, words=words)
-
-    @cached_property
-    def sections(self) -> tuple[str, ...]:
-        """Modules in ``sections`` that define ``ENTRIES``, in the paper's order."""
-        folder = Path(__file__).parent / self.package.rpartition(".")[2] / "sections"
-        return tuple(sorted(path.stem for path in folder.glob("s[0-9]*.py")))
 
     def entries(self) -> tuple[Entry, ...]:
-        """Return all entries in the paper's order, each with its words and the path of its module."""
-        found: list[Entry] = []
-        for section in self.sections:
-            name = f"{self.package}.sections.{section}"
-            source = f"{name.replace('.', '/')}.py"
-            entries = importlib.import_module(name).ENTRIES
-            found += [replace(entry, source=source, **self.words[entry.number]) for entry in entries]
-        return tuple(found)
+        """Return all entries in the paper's order."""
+        raise NotImplementedError
 
     def inventory(self) -> dict[int, tuple[str, ...] | str]:
         """Return the inventory: each line with its deciding entries, or with the reason why it claims nothing."""

@@ -1,8 +1,8 @@
 """Printed formulas as trees that are typeset, evaluated and mutated.
 
 A `Term` is a SymPy node in printed order: construction does not sort, combine or evaluate it. Python's operators
-build terms, so an entry reads like the formula. Module :mod:`derive.papers.language.operator_table` lists operators;
-:mod:`derive.papers.numbers.quantities` lists quantities of symbols.
+build terms, so an entry reads like the formula. Module :mod:`derive.claims.language.operator_table` lists operators;
+:mod:`derive.claims.numbers.quantities` lists quantities of symbols.
 """
 
 from __future__ import annotations
@@ -106,7 +106,7 @@ class Number(Term):
 class Symbol(Term):
     """Printed symbol with its LaTeX and its characters in the extracted text.
 
-    Its name is unique within a statement; its quantity is a row of the table in `derive.papers.numbers.quantities`.
+    Its name is unique within a statement; its quantity is a row of the table in `derive.claims.numbers.quantities`.
     """
 
     def __new__(cls, name: str, quantity: str, latex: str | None = None, text: str | None = None) -> Self:
