@@ -30,7 +30,7 @@ from typing import TYPE_CHECKING
 from .about import __version__
 
 if TYPE_CHECKING:
-    from .claims import check
+    from .claims.run import check
     from .codegen import generate
     from .front import Cayley, Parameterization, family
     from .maps import x
@@ -42,7 +42,7 @@ if TYPE_CHECKING:
 
 _HOMES = dict.fromkeys(("Cayley", "Parameterization", "family"), "front") | {
     "alpha": "maps.families", "x": "maps", "motion_equation": "motion_equations", "generate": "codegen",
-    "compare": "pages.comparison", "explain": "pages.explain", "check": "claims", "verify": "papers",
+    "compare": "pages.comparison", "explain": "pages.explain", "check": "claims.run", "verify": "papers",
 }  # fmt: skip
 __all__ = [
     "Cayley", "Parameterization", "__version__", "alpha", "check", "compare", "explain", "family", "generate",

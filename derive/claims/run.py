@@ -1,4 +1,4 @@
-"""Decision of a file's equations in worker processes, each within a time limit.
+"""Decision of claims in worker processes, each within a time limit.
 
 A worker reads requests from its standard input: what makes a sheet, and the place of an equation in it. Exact
 polynomials may take long inside one call of a library, so a worker that exceeds the limit is killed and replaced.
@@ -12,16 +12,18 @@ import queue
 import subprocess
 import sys
 import threading
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Sequence
 from contextlib import suppress
 from dataclasses import fields
 from typing import Any
 
+from ..output.listing import Listing
+from ..output.progress import bar, no_op
 from ..workers import cores
 from .equation import Entry, UndecidedError
 from .numbers.balls import flint
 from .result import Result, Status, Verdict
-from .sheet import Sheet
+from .sheet import Sheet, claim_alone
 
 SECONDS = 60.0
 """Time limit of an equation."""
@@ -70,6 +72,53 @@ def decide_each(
         for thread in threads:
             thread.join(JOIN)
     return [result for result in results if result is not None]
+
+
+def check(claim: str, /, *, domain: str = "", seconds: float = SECONDS, **letters: str) -> Result:
+    """Decide one claim.
+
+    Parameters
+    ----------
+    claim : str
+        Relation in plain text, such as ``"R*transpose(R) == I"``. It is parsed, never evaluated.
+    domain : str, optional
+        Relation that states where the claim is said to hold.
+    seconds : float, optional
+        Time limit; a slower claim is undecided.
+    **letters : str
+        Kind of each letter, such as ``v="vector"`` or ``n="unit vector"``.
+
+    Returns
+    -------
+    Result
+        Its `status` is "holds", "holds-if" with the condition `found`, "false" with a counterexample and `changes` that
+        make the claim true, or "undecided" with the reason as `method`.
+
+    Raises
+    ------
+    ValueError
+        If the claim, the domain or a kind cannot be read: with the column and what was expected.
+
+    Examples
+    --------
+    >>> import derive
+    >>> derive.check("inverse(exp(skew(v))) == exp(skew(-v))", v="vector")
+    <Result holds>
+    """
+    with bar() as step:
+        step("claim")
+        (result,) = check_sheets([claim_alone(claim, letters, domain)], None, seconds)
+    return result
+
+
+def check_sheets(
+    sheets: Sequence[Sheet], numbers: Collection[str] | None = None, seconds: float = SECONDS,
+    step: Callable[[str], None] = no_op,
+) -> Listing[Result]:
+    """Decide the equations of files; `numbers` chooses some, and `step` is called after each."""
+    places = [(sheet, place, entry.number) for sheet in sheets for place, entry in enumerate(sheet.entries())]
+    items = [(sheet, place) for sheet, place, number in places if numbers is None or number in numbers]
+    return Listing(decide_each(items, seconds, step))
 
 
 JOIN = 5.0

@@ -7,9 +7,8 @@ import json
 from collections.abc import Iterable, Sequence
 from typing import Any
 
-from ..claims import Result
+from ..claims.result import Result
 from ..papers.entry_certificate import certificate as of_equation
-from ..proof import Proof
 from ..proof.certificate import Certificate
 from ..proof.certificate import certificate as of_proof
 from ..proof.proved import CLAIMS
@@ -26,7 +25,7 @@ FORMAT = (
 )
 
 
-def certified(results: Iterable[Result], proofs: Iterable[Proof], orders: Sequence[int]) -> dict[str, Any]:
+def certified(results: Iterable[Result], proofs: Iterable[Any], orders: Sequence[int]) -> dict[str, Any]:
     """Return the certificates of all theorems, of further proofs and of results, and the decisions without one."""
     known = {proof.name: proof for proof in decided(CLAIMS)}
     others = (proof for proof in proofs if (proof.name, proof.scope) not in {(p.name, p.scope) for p in known.values()})

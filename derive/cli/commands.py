@@ -164,7 +164,7 @@ def run() -> int:
 
 
 def _exit_codes() -> dict[type[Exception], int]:
-    from ..claims import UndecidedError
+    from ..claims.equation import UndecidedError
     from ..claims.numbers.balls import MissingLibraryError
     from ..codegen import RefusedError, ValidationFailed
     from ..proof import ProofFailed

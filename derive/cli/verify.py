@@ -11,8 +11,13 @@ from pathlib import Path
 import click
 
 from .. import about
-from ..claims import ORDERS, ClaimError, Paper, Sheet, SheetError, Status, check_sheets, claim_alone, load
+from ..claims.deciding.claim import ORDERS
+from ..claims.equation import Paper
+from ..claims.language.abbreviations import ClaimError
 from ..claims.report import FORMATS, Report, as_text, data
+from ..claims.result import Status
+from ..claims.run import check_sheets
+from ..claims.sheet import Sheet, SheetError, claim_alone, load
 from ..maps import Cayley
 from ..output import facts, files
 from ..output.tables import columns

@@ -17,6 +17,7 @@ import sympy
 
 from ..algebra import Coefficient, Isotropic, Quaternion
 from ..algebra.arithmetic import Arithmetic
+from ..algebra.cayley_pairs import Pair, require_order
 from ..algebra.latex import bracketed, latex
 from . import closed_forms, polynomials
 from .cayley_scalars import CHAIN_POWER, HORNER_LIMIT, CayleyScalars
@@ -24,7 +25,7 @@ from .chart_formulas import Map
 from .families import alpha
 from .formula import IsotropicMap, QuaternionMap
 from .order_charts import BranchesOfOrder, Derivatives, cayley_gain, near_pole, side_of_step
-from .polynomials import FIELD, Pair, Triple, rational, require_order, x
+from .polynomials import FIELD, Triple, rational, x
 from .scalars import NOISE
 
 EQUATIONS = {"quaternion": (50, 55), "tensor": (57,), "tangent": (88,), "tangent_inv": (89,)}

@@ -29,9 +29,10 @@ from typing import Any
 
 from ..algebra import Coefficient
 from ..algebra.arithmetic import Arithmetic
+from ..algebra.cayley_pairs import Pair
 from . import polynomials
 from .order_charts import has_ladder
-from .polynomials import Pair, Triple, horner
+from .polynomials import Triple, horner
 from .scalars import scalar
 
 HORNER_LIMIT = 8

@@ -28,8 +28,9 @@ import sympy
 
 from ..algebra import Coefficient, Quaternion
 from ..algebra.arithmetic import Arithmetic, Marked
+from ..algebra.cayley_pairs import Pair
 from .chart_formulas import ChartFormulas, Scalars
-from .polynomials import Pair, Triple
+from .polynomials import Triple
 from .real_constants import number, plus, times
 
 if TYPE_CHECKING:

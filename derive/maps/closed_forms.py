@@ -8,8 +8,8 @@ from __future__ import annotations
 
 from ..algebra import Coefficient, Isotropic
 from ..algebra.arithmetic import PLAIN
+from ..algebra.cayley_pairs import Pair, require_order
 from .cayley_scalars import CayleyScalars
-from .polynomials import Pair, require_order
 
 
 def scalars(n: int, at: Coefficient) -> CayleyScalars:

@@ -11,7 +11,7 @@ import mpmath
 import sympy
 
 from ..algebra import Coefficient, functions, real_part
-from .pose import is_zero
+from ..algebra.pose import is_zero
 
 FUNCTIONS = ("sin", "cos", "asin", "acos", "atan", "sinh", "cosh", "tanh", "asinh", "atanh", "exp", "log")
 """Functions that a library may provide in addition to sqrt."""

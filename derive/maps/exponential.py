@@ -12,43 +12,18 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any, ClassVar
+from typing import ClassVar
 
 import sympy
 
-from ..algebra import Coefficient, Quaternion, Tensor, Vector, functions, real_part
+from ..algebra import Coefficient
 from ..algebra.arithmetic import Arithmetic
+from ..algebra.cayley_pairs import Pair
 from . import stumpff
 from .angle_chart import AngleChart
 from .families import alpha
 from .order_charts import Derivatives, half_angle
-from .polynomials import Pair
-from .pose import is_zero
 from .scalars import DependentScalars, scalar
-
-
-def tensor_exponential(a: Vector, library: Any = functions) -> Tensor:
-    """Return exp(skew(a)), a rotation by |a| about a; `library` provides ``sin``, ``cos``, ``sqrt``.
-
-    For Re a = 0 the series terminates: ``skew(a)³ = −|a|² skew(a) = 0``.
-    """
-    square, skew = a.dot(a), Tensor.skew(a)
-    if is_zero(real_part(square)):
-        nilpotent: Tensor = Tensor.identity() + skew + skew @ skew / 2
-        return nilpotent
-    angle = library.sqrt(square)
-    R: Tensor = Tensor.identity() + skew * (library.sin(angle) / angle)
-    R += skew @ skew * ((1 - library.cos(angle)) / square)
-    return R
-
-
-def quaternion_exponential(a: Vector, library: Any = functions) -> Quaternion:
-    """Return exp(a) = cos|a| + sin|a| a/|a| of a pure quaternion; a rotation by 2|a| about a."""
-    square = a.dot(a)
-    if is_zero(real_part(square)):
-        return Quaternion(1 + 0 * square, a)
-    angle = library.sqrt(square)
-    return Quaternion(library.cos(angle), a * (library.sin(angle) / angle))
 
 
 class ExponentialScalars(DependentScalars):

@@ -21,10 +21,11 @@ import sympy
 
 from ..algebra import Coefficient, Quaternion
 from ..algebra.arithmetic import Arithmetic
+from ..algebra.cayley_pairs import Pair
 from .chart import Chart
 from .chart_formulas import Scalars
 from .order_charts import Derivatives
-from .polynomials import Pair, Triple, x
+from .polynomials import Triple, x
 from .real_constants import SMALL
 
 POWERS = {

@@ -10,13 +10,13 @@ from typing import TypeAlias
 
 import sympy
 
+from ..algebra.cayley_pairs import require_order
 from .breusing import Breusing
 from .cayley import Cayley
 from .chart import Chart
 from .exponential import Exponential
 from .families import alpha
 from .multiple import Multiple
-from .polynomials import require_order
 from .sine import Sine
 
 Base: TypeAlias = Cayley | Sine | Breusing | Exponential

@@ -12,10 +12,11 @@ import sympy
 
 from ..algebra import Coefficient, Quaternion
 from ..algebra.arithmetic import Arithmetic
+from ..algebra.cayley_pairs import Pair
 from . import polynomials
 from .chart import Chart
 from .families import alpha
-from .polynomials import Pair, Triple
+from .polynomials import Triple
 from .scalars import NOISE, NOISE_GIVEN, QuaternionChart
 
 Derivatives: TypeAlias = Triple

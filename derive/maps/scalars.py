@@ -20,8 +20,9 @@ from typing import Any
 
 from ..algebra import Coefficient
 from ..algebra.arithmetic import Arithmetic
+from ..algebra.cayley_pairs import Pair
 from .chart import Chart
-from .polynomials import Pair, Triple
+from .polynomials import Triple
 
 NOISE = 64
 """Divisor in the test for rounding noise: a term is noise if ``sum + term/NOISE`` equals the sum.

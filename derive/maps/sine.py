@@ -20,9 +20,10 @@ import sympy
 
 from ..algebra import Coefficient
 from ..algebra.arithmetic import Arithmetic
+from ..algebra.cayley_pairs import Pair
 from .families import alpha
 from .order_charts import Derivatives, OrderChart, double_angle
-from .polynomials import RING, RING_X, Pair, horner, ring_pair, x
+from .polynomials import RING, RING_X, horner, ring_pair, x
 from .scalars import DependentScalars, scalar
 
 

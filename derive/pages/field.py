@@ -12,9 +12,9 @@ from collections import Counter
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
-from ..claims import Result, Status
 from ..claims.report.content import example
 from ..claims.report.pages import differing_sides
+from ..claims.result import Result, Status
 from ..output import facts
 from ..output.progress import bar
 from .field_facts import COLLECTIONS, TRUE, WRONG, Document, Place, anchor, as_json, correction, decided, sheets

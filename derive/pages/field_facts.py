@@ -9,8 +9,10 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from ..claims import SECONDS, Result, Sheet, Status, check_sheets, load
 from ..claims.language.written import written
+from ..claims.result import Result, Status
+from ..claims.run import SECONDS, check_sheets
+from ..claims.sheet import Sheet, load
 from ..output.facts import json_rows
 from ..output.progress import no_op
 

@@ -21,6 +21,7 @@ import numpy as np
 
 from .. import about
 from ..algebra import Dual
+from ..algebra.pose import Screw, tensor_from_screw
 from ..codegen.build import print_package
 from ..codegen.signatures import POSES
 from ..codegen.targets import TARGETS
@@ -31,7 +32,6 @@ from ..codegen.validation.loading import loaded, module_of
 from ..codegen.validation.screws import covering
 from ..codegen.validation.vectors import Vectors, flat, vectors_of
 from ..maps.chart import Chart
-from ..maps.pose import Screw, tensor_from_screw
 from ..output import files
 
 SEED, SAMPLES = 11, 4

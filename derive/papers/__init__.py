@@ -25,9 +25,12 @@ from contextlib import nullcontext
 from pathlib import Path
 
 from .. import about
-from ..claims import ORDERS, SECONDS, Entry, Paper, Result, check_sheets, load
 from ..claims.decide import decide
-from ..claims.sheet import sheet
+from ..claims.deciding.claim import ORDERS
+from ..claims.equation import Entry, Paper
+from ..claims.result import Result
+from ..claims.run import SECONDS, check_sheets
+from ..claims.sheet import load, sheet
 from ..output.listing import Listing
 from ..output.progress import bar, no_op
 from .package import Package

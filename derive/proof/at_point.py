@@ -10,8 +10,7 @@ from typing import Any
 
 import sympy
 
-from ..algebra import Dual, Isotropic, Quaternion, Vector, dual_part, functions, real_part
-from ..maps import polynomials
+from ..algebra import Dual, Isotropic, Quaternion, Vector, cayley_pairs, dual_part, functions, real_part
 from . import notation as m
 from .evaluation import Evaluation, mapped
 from .formulas import tangent, tangent_inv, tensor
@@ -29,7 +28,7 @@ class AtPoint(Evaluation):
         self.n = n
         v = Vector.dual(map(sympy.Integer, PLACE), map(sympy.Integer, SPEED))
         x = v.dot(v)
-        p, q = (Dual(sympy.Integer(1)) * value for value in polynomials.pair_by_squaring(n, x))
+        p, q = (Dual(sympy.Integer(1)) * value for value in cayley_pairs.pair_by_squaring(n, x))
         root = functions.sqrt(1 + x)
         tensors = {m.R: tensor, m.dcay: tangent, m.dcay_inv: tangent_inv}
         values = {symbol: Isotropic(*formula(n, x, p, q), x).tensor(v) for symbol, formula in tensors.items()}

@@ -11,7 +11,7 @@ from typing import Any, cast
 import sympy
 
 from ..algebra import Dual, Structure, Tensor, dual_part, mixed, real_part
-from ..maps.first_principles import tensor_by_sandwich
+from ..algebra.first_principles import tensor_by_sandwich
 from ..maps.rodrigues import compose_first_order, compose_second_order
 from . import notation
 from .statement import Equation

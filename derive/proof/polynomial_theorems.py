@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import sympy
 
+from ..algebra.cayley_pairs import FIRST, double, following, multiply
 from ..maps import polynomials
 from .coefficients import BINOMIAL, Coefficients
 from .methods import determined, identity
@@ -32,8 +33,8 @@ def recurring(
 
 def pairs(index: sympy.Expr, p_n: sympy.Expr, q_n: sympy.Expr, at: sympy.Expr) -> tuple[Premise, ...]:
     """Return the recurrence of p and q at a given x, CP23 (56)."""
-    following = polynomials.following((p_n, q_n), at)
-    return recurring(index, *zip((p_n, q_n), polynomials.FIRST, following, strict=True))
+    after = following((p_n, q_n), at)
+    return recurring(index, *zip((p_n, q_n), FIRST, after, strict=True))
 
 
 def power(base: sympy.Expr) -> tuple[Premise, ...]:
@@ -60,16 +61,16 @@ NORM = determined(
     (Equation((1 + x) ** n, p**2 + x * q**2),),
     *RECURRENCE, *power(1 + x),
 )  # fmt: skip
-NEXT_SUM = zip((p_sum, q_sum), polynomials.following((p, q), x), polynomials.following((p_sum, q_sum), x), strict=True)
+NEXT_SUM = zip((p_sum, q_sum), following((p, q), x), following((p_sum, q_sum), x), strict=True)
 ADDITION = determined(
     "addition", Symbols((p_m, q_m, p, q, x)), Equation(m, 1),
-    tuple(map(Equation, (p_sum, q_sum), polynomials.multiply((p_m, q_m), (p, q), x))),
+    tuple(map(Equation, (p_sum, q_sum), multiply((p_m, q_m), (p, q), x))),
     *pairs(m, p_m, q_m, x), *recurring(m, *NEXT_SUM),
 )  # fmt: skip
 TWICE = ((m, n), (p_m, p), (q_m, q), (p_sum, p_double), (q_sum, q_double))
 DOUBLING = identity(
     "doubling", Symbols((p, q, x)),
-    tuple(map(Equation, (p_double, q_double), polynomials.double((p, q), x))),
+    tuple(map(Equation, (p_double, q_double), double((p, q), x))),
     *(ADDITION.premise(place, *TWICE) for place in (0, 1)),
 )  # fmt: skip
 
@@ -79,7 +80,7 @@ def _slope(e: sympy.Expr) -> sympy.Expr:
     return e.diff(x) + e.diff(p) * prime(p) + e.diff(q) * prime(q)
 
 
-_SLOPES = zip((prime(p), prime(q)), (0, 0), map(_slope, polynomials.following((p, q), x)), strict=True)
+_SLOPES = zip((prime(p), prime(q)), (0, 0), map(_slope, following((p, q), x)), strict=True)
 SLOPES = determined(
     "slopes", Symbols((p, q, x, n), free=(x,)), ONE,
     (
@@ -90,7 +91,7 @@ SLOPES = determined(
 )  # fmt: skip
 AT_ZERO = tuple(Shifted(term, x, 0) for term in (p, q, prime(p), prime(q)))
 _NEXT_AT_ZERO = (e.xreplace({x: sympy.Integer(0)} | dict(zip((p, q, prime(p), prime(q)), AT_ZERO, strict=True)))
-                 for e in (*polynomials.following((p, q), x), *map(_slope, polynomials.following((p, q), x))))
+                 for e in (*following((p, q), x), *map(_slope, following((p, q), x))))
 ORIGIN = determined(
     "values at x = 0", Symbols((n,)), ONE,
     (
@@ -99,7 +100,7 @@ ORIGIN = determined(
         Equation(AT_ZERO[2], -n * (n - 1) / 2),
         Equation(AT_ZERO[3], -n * (n - 1) * (n - 2) / 6),
     ),
-    *recurring(n, *zip(AT_ZERO, (*polynomials.FIRST, 0, 0), _NEXT_AT_ZERO, strict=True)),
+    *recurring(n, *zip(AT_ZERO, (*FIRST, 0, 0), _NEXT_AT_ZERO, strict=True)),
 )  # fmt: skip
 BRACKETS_AT_ZERO = identity(
     "brackets at x = 0", Symbols((n,)),

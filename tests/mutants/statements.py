@@ -7,7 +7,6 @@ from contextlib import suppress
 from dataclasses import replace
 from functools import partial
 
-from derive.claims import Result
 from derive.claims.decide import decide
 from derive.claims.deciding.claim import Claim
 from derive.claims.deciding.places import places
@@ -16,6 +15,7 @@ from derive.claims.language.operator_table import negated
 from derive.claims.language.printed import RELATION, Apply, Number, Symbol, Term
 from derive.claims.numbers.balls import BlurredError
 from derive.claims.numbers.quantities import PROPOSITION
+from derive.claims.result import Result
 from derive.papers import PAPERS
 
 from .mutant import EQUIVALENT, KILLED, SURVIVED, Mutant, Verdict

@@ -8,9 +8,9 @@ import sympy
 
 from derive.algebra import Coefficient
 from derive.algebra.arithmetic import Arithmetic
+from derive.algebra.cayley_pairs import Pair
 from derive.maps.families import alpha
 from derive.maps.order_charts import Derivatives, OrderChart
-from derive.maps.polynomials import Pair
 from derive.maps.scalars import DependentScalars, scalar
 
 

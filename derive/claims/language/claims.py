@@ -9,9 +9,9 @@ from collections.abc import Sequence
 from itertools import pairwise
 from typing import Any
 
-from ...maps.any_phi.grammar import Grammar, source
 from . import operations, operator_table, relations, shapes
 from .abbreviations import Abbreviation, ClaimError, Scope, call, latex_of
+from .grammar import Grammar, source
 from .literals import LITERALS, integer
 from .operations import CONSTANTS, OPERATIONS
 from .printed import Number, Symbol, Term

@@ -8,9 +8,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from ...algebra import Dual, Quaternion, Tensor, Vector
-from ...maps import first_principles
-from ...maps.pose import Pose, pose_from_tensor
+from ...algebra import Dual, Quaternion, Tensor, Vector, first_principles
+from ...algebra.pose import Pose, pose_from_tensor
 from ..numbers.fields import innermost
 from . import values
 from .environment import Env

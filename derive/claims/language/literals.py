@@ -6,9 +6,9 @@ import ast
 from collections.abc import Callable
 from typing import Any, Protocol
 
-from ...maps.any_phi.grammar import source
 from . import matrices
 from .abbreviations import ClaimError
+from .grammar import source
 from .printed import Number, Term
 from .shapes import Kind, is_number, name
 

@@ -7,9 +7,9 @@ from typing import Any
 
 from ...algebra import Quaternion, Structure, Tensor, Vector, matrix
 from ...algebra.element import NotExactError
+from ...algebra.exponentials import quaternion_exponential, tensor_exponential
+from ...algebra.first_principles import tensor_by_sandwich
 from ...algebra.matrix import Matrix
-from ...maps.exponential import quaternion_exponential, tensor_exponential
-from ...maps.first_principles import tensor_by_sandwich
 from ..numbers.balls import Ball, arb, flint
 from ..numbers.fields import UndefinedError, innermost
 from .environment import Env

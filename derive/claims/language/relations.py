@@ -7,10 +7,9 @@ from collections.abc import Callable
 from fractions import Fraction
 from typing import Any
 
-from ...algebra import Quaternion, Tensor, Vector
+from ...algebra import Quaternion, Tensor, Vector, first_principles, pose
 from ...algebra.element import NotExactError
 from ...algebra.matrix import exactly
-from ...maps import first_principles, pose
 from ..numbers.fields import innermost
 from . import values
 from .environment import Env

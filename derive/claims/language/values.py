@@ -13,7 +13,7 @@ from typing import Any
 
 from ...algebra import Dual, Quaternion, Structure, Tensor, Vector, matrix, mixed
 from ...algebra.mixed import quaternion as quaternion
-from ...maps.pose import Pose
+from ...algebra.pose import Pose
 from ..numbers.fields import Field
 
 

@@ -13,9 +13,9 @@ from typing import Any
 
 from ...algebra import Dual, Quaternion, Structure, Tensor, Vector, real_part
 from ...algebra.angles import AngleField
+from ...algebra.cayley_pairs import pair
 from ...algebra.element import Element, NotExactError
 from ...algebra.functions import Elementary
-from ...maps.polynomials import pair
 
 
 class UndefinedError(ArithmeticError):

@@ -8,7 +8,7 @@ from enum import Enum, auto
 from typing import TYPE_CHECKING, Any
 
 from ...algebra import Dual, Quaternion, Tensor
-from ...maps.first_principles import tensor_by_sandwich as rotation
+from ...algebra.first_principles import tensor_by_sandwich as rotation
 from .fields import Field
 from .kinds import KINDS, Kind, exact, polynomial
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import Protocol
 
 from ... import about
 from ..equation import Entry, Paper
@@ -13,9 +13,6 @@ from ..numbers.kinds import KINDS
 from ..result import Counterexample, Result, Status
 from ..sheet import Problem
 from .plain import plain
-
-if TYPE_CHECKING:
-    from ...proof import Proof
 
 MEANING = {
     Status.FALSE: "false, with a point where it fails, and changes in one step that make it true",
@@ -26,6 +23,23 @@ MEANING = {
     Status.HOLDS: "true as printed",
 }
 """Meaning of each status, in the order of the report."""
+
+
+class StatementProof(Protocol):
+    """Proof of a statement about charts, as a report lists it."""
+
+    @property
+    def statement(self) -> str: ...
+    @property
+    def scope(self) -> str: ...
+    @property
+    def status(self) -> str: ...
+    @property
+    def method(self) -> str: ...
+    @property
+    def seconds(self) -> float: ...
+    @property
+    def proved(self) -> bool: ...
 
 
 @dataclass(frozen=True)
@@ -58,13 +72,13 @@ class Report:
     """
 
     chapters: tuple[Chapter, ...]
-    proofs: tuple[Proof, ...]
+    proofs: tuple[StatementProof, ...]
     root: str = ""
     problems: tuple[Problem, ...] = ()
 
     @classmethod
     def of(
-        cls, papers: Iterable[Paper], results: Sequence[Result], proofs: Iterable[Proof], root: str = "",
+        cls, papers: Iterable[Paper], results: Sequence[Result], proofs: Iterable[StatementProof], root: str = "",
         problems: Iterable[Problem] = (),
     ) -> Report:  # fmt: skip
         """Return a report with results grouped by paper, and what could not be read in files."""
@@ -94,7 +108,7 @@ class Report:
         return tuple(sorted(found, key=lambda pair: not pair[1].equation.number.isdecimal()))
 
     @property
-    def failed(self) -> tuple[Proof, ...]:
+    def failed(self) -> tuple[StatementProof, ...]:
         """Proofs that failed."""
         return tuple(proof for proof in self.proofs if not proof.proved)
 

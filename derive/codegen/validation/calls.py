@@ -17,7 +17,7 @@ from typing import Any, NamedTuple, TypeVar
 import mpmath
 
 from ...algebra import Tensor
-from ...maps.pose import Screw, pose_from_tensor, quaternion_from_screw, tensor_from_screw
+from ...algebra.pose import Screw, pose_from_tensor, quaternion_from_screw, tensor_from_screw
 from ..rows import Function, Table
 from ..signatures import JACOBIAN, POSES
 from .decimals import EXACT_DIGITS

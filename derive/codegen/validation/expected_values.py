@@ -14,11 +14,11 @@ from typing import Any
 import sympy
 
 from ...algebra import Coefficient, Dual, Isotropic, Quaternion, Tensor, Vector
+from ...algebra.pose import Pose, pose_from_tensor
 from ...maps import Formula, x
 from ...maps.chart import Chart
 from ...maps.elementary import evaluate
 from ...maps.families import alpha
-from ...maps.pose import Pose, pose_from_tensor
 from ..rows import Function
 from .vectors import Flat, Vectors, dual, flat
 

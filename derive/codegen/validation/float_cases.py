@@ -17,8 +17,8 @@ from typing import Any
 import mpmath
 
 from ...algebra import Vector
+from ...algebra.pose import polar
 from ...maps.chart import Chart
-from ...maps.pose import polar
 from ..lowered import geometry
 from ..rows import Table
 from ..signatures import POSES

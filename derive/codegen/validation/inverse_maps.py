@@ -9,9 +9,9 @@ from typing import Any
 import mpmath
 
 from ...algebra import Dual, Quaternion, Tensor, Vector
+from ...algebra.exponentials import quaternion_exponential
 from ...algebra.functions import atan2
-from ...maps.exponential import quaternion_exponential
-from ...maps.pose import Pose, Screw, orientation, polar, tensor_from_pose
+from ...algebra.pose import Pose, Screw, orientation, polar, tensor_from_pose
 from ..rows import Function
 from .expected_values import ALGEBRAIC, Formulas, evaluated, matrix6
 from .vectors import Flat, Vectors, along, axial, dual, flat, screw_of_quaternion

@@ -10,9 +10,9 @@ from functools import lru_cache, partial
 import mpmath
 
 from ...algebra import Dual, Tensor, Vector
+from ...algebra.pose import Pose, Screw, tensor_from_pose, tensor_from_screw
 from ...maps import Formula
 from ...maps.chart import Chart
-from ...maps.pose import Pose, Screw, tensor_from_pose, tensor_from_screw
 from ...proof import Ring, root_of
 from ..lowering.scalar_programs import scalar_program
 from ..rows import Function, Table

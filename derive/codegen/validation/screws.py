@@ -14,7 +14,7 @@ from typing import Any
 import mpmath
 
 from ...algebra import Dual, Vector
-from ...maps.pose import Screw
+from ...algebra.pose import Screw
 
 ANGLES = (0.5, 1.9, 2.6, 3.0)  # rotation angles by row: only the first makes the scalar part the largest
 SIGNS = (1, 1, -1, 1)  # signs of the dominant component, by row

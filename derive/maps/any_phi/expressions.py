@@ -20,9 +20,10 @@ import sympy
 from sympy.functions.elementary.trigonometric import TrigonometricFunction
 from sympy.polys.polyerrors import CoercionFailed
 
+from ...algebra.cayley_pairs import require_order
+from ...claims.language.grammar import source
 from ..families import alpha
 from ..phi_error import PhiError
-from ..polynomials import require_order
 from . import grammar
 
 ODD = (sympy.sin, sympy.tan, sympy.asin, sympy.atan, sympy.sinh, sympy.tanh, sympy.asinh, sympy.atanh)
@@ -141,7 +142,7 @@ class _Builder:
     def _power(self, node: ast.BinOp) -> sympy.Expr:
         base, exponent = self.build(node.left), self._exponent(node.right)
         if base.is_Rational and max(abs(base.p), base.q).bit_length() * abs(exponent) > NUMBER_BITS_MAX:
-            raise PhiError(f"a number in phi is too large: {grammar.source(node, self.text)[:60]}")
+            raise PhiError(f"a number in phi is too large: {source(node, self.text)[:60]}")
         if base == 0 and exponent < 0:
             raise ZeroDivisionError
         return base**exponent
@@ -149,7 +150,7 @@ class _Builder:
     def _exponent(self, node: ast.expr) -> sympy.Rational:
         value = self.build(node)
         if not (value.is_Rational and abs(value) <= EXPONENT_MAX and value.q <= EXPONENT_MAX):
-            raise PhiError(f"powers in phi are numbers up to {EXPONENT_MAX}, given {grammar.source(node, self.text)}")
+            raise PhiError(f"powers in phi are numbers up to {EXPONENT_MAX}, given {source(node, self.text)}")
         return value
 
 

@@ -15,9 +15,9 @@ import sympy
 
 from ...algebra import Coefficient
 from ...algebra.arithmetic import Arithmetic
+from ...algebra.cayley_pairs import Pair
 from ..families import alpha
 from ..order_charts import double_angle
-from ..polynomials import Pair
 from ..real_constants import is_small, number, plus, times
 from .edges import PHI_DIGITS
 

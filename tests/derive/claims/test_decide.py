@@ -7,10 +7,10 @@ import sys
 
 import pytest
 
-from derive.claims import Reading, Status, UndecidedError, equation
+from derive.claims import equation
 from derive.claims.decide import decide
 from derive.claims.deciding.sharp import is_sharp
-from derive.claims.equation import Entry, faithful
+from derive.claims.equation import Entry, Reading, UndecidedError, faithful
 from derive.claims.language.common_definitions import defined, unequal
 from derive.claims.language.operator_table import (
     Re,
@@ -38,7 +38,7 @@ from derive.claims.language.operator_table import (
 )  # fmt: skip
 from derive.claims.language.operator_table import identity as I
 from derive.claims.language.printed import Symbol, latex
-from derive.claims.result import Result
+from derive.claims.result import Result, Status
 from derive.papers import PAPERS
 from derive.papers.condurache_popa_2023.cp23_notation import alpha, positive, u, v
 from derive.papers.condurache_popa_2023.definitions import cayley_maps

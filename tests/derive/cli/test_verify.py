@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 
 import derive
-from derive.claims import UndecidedError
+from derive.claims.equation import UndecidedError
 from tests.support.command import dualcay, in_a_process
 
 K10 = ("verify", "--paper", "karakilic-2010")

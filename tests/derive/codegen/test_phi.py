@@ -14,6 +14,7 @@ import sympy
 import derive
 from derive.algebra import Dual, Vector
 from derive.algebra.arithmetic import PLAIN
+from derive.algebra.pose import Screw
 from derive.codegen import catalogue, generate, publish
 from derive.codegen.build import print_package
 from derive.codegen.catalogue import chart_of, charts, command
@@ -28,7 +29,6 @@ from derive.codegen.validation.loading import loaded, module_of
 from derive.codegen.validation.vectors import Vectors
 from derive.maps import PhiError, family, parameterization
 from derive.maps.families import alpha
-from derive.maps.pose import Screw
 from derive.maps.real_constants import BITS, LEVELS, polynomial
 from derive.output import files
 from derive.proof import prove

@@ -19,6 +19,7 @@ import pytest
 import sympy
 
 from derive.algebra import Dual, functions
+from derive.claims.language.grammar import DECIMAL_EXPONENT_MAX, DIGITS_MAX
 from derive.maps import PhiError, parameterization
 from derive.maps.any_phi import expressions, grammar
 from derive.maps.any_phi.expressions import parity, parsed
@@ -94,10 +95,10 @@ AT_LIMITS = [
     (lambda k: f"alpha**(-{k})", expressions.EXPONENT_MAX),
     (lambda k: f"alpha**(1/{k})", expressions.EXPONENT_MAX),
     (lambda k: f"alpha**(-{expressions.EXPONENT_MAX - 1}/{k})", expressions.EXPONENT_MAX),
-    (lambda k: "1" * k, grammar.DIGITS_MAX),
-    (lambda k: f"1.{'1' * (k - 1)}", grammar.DIGITS_MAX),
-    (lambda k: f"1e{k}", grammar.DECIMAL_EXPONENT_MAX),
-    (lambda k: f"1e-{k}", grammar.DECIMAL_EXPONENT_MAX),
+    (lambda k: "1" * k, DIGITS_MAX),
+    (lambda k: f"1.{'1' * (k - 1)}", DIGITS_MAX),
+    (lambda k: f"1e{k}", DECIMAL_EXPONENT_MAX),
+    (lambda k: f"1e-{k}", DECIMAL_EXPONENT_MAX),
     (lambda k: f"alpha{' ' * (k - 7)}+0", grammar.PHI.characters_max),
 ]
 

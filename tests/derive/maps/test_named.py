@@ -9,6 +9,7 @@ import sympy
 from derive.about import FAMILIES
 from derive.algebra import Dual, Quaternion, Vector, functions
 from derive.algebra.arithmetic import PLAIN
+from derive.algebra.pose import Screw
 from derive.codegen.lowering.scalar_programs import scalar_programs
 from derive.maps import Cayley, closed_forms, family, parameterization
 from derive.maps.any_phi.expressions import parsed
@@ -17,7 +18,6 @@ from derive.maps.elementary import evaluate
 from derive.maps.families import alpha
 from derive.maps.multiple import POWERS
 from derive.maps.named import SYMBOLIC, described
-from derive.maps.pose import Screw
 from derive.proof import prove
 
 

@@ -9,9 +9,9 @@ from typing import Any
 
 import pytest
 
-from derive.claims import Result, Sheet, Status, Verdict
+from derive.claims.result import Result, Status, Verdict
 from derive.claims.run import decide_each, undecided
-from derive.claims.sheet import sheet
+from derive.claims.sheet import Sheet, sheet
 from derive.pages import field
 from derive.pages.field_facts import WRONG, Document, Place, anchor, as_json, document, facts, sheets
 

@@ -12,8 +12,9 @@ import pytest
 import sympy
 
 from derive.algebra.element import Element
-from derive.claims import Result, Status, UndecidedError
 from derive.claims.decide import decide
+from derive.claims.equation import UndecidedError
+from derive.claims.result import Result, Status
 from derive.papers import PAPERS, verify
 from derive.papers.condurache_popa_2023.definitions import preimages
 

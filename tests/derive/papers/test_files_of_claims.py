@@ -10,9 +10,12 @@ from pathlib import Path
 import pytest
 
 import derive
-from derive.claims import ClaimError, Result, SheetError, Status, check_sheets, load
+from derive.claims.language.abbreviations import ClaimError
 from derive.claims.numbers.balls import flint
 from derive.claims.report import FORMATS, Report
+from derive.claims.result import Result, Status
+from derive.claims.run import check_sheets
+from derive.claims.sheet import SheetError, load
 from tests.support.command import dualcay
 
 GOOD = """

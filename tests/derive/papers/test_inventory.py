@@ -9,7 +9,7 @@ from itertools import pairwise
 
 import pytest
 
-from derive.claims import Paper
+from derive.claims.equation import Paper
 from derive.papers import PAPERS, verify
 from derive.papers.package import Package
 from tests.support.imports import ROOT, sources

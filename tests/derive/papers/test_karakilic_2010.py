@@ -10,9 +10,9 @@ from typing import Any
 import pytest
 
 import derive
-from derive.claims import Status, UndecidedError
 from derive.claims.decide import decide
-from derive.claims.equation import characters
+from derive.claims.equation import UndecidedError, characters
+from derive.claims.result import Status
 from derive.claims.sheet import Sheet, sheet
 from derive.papers import PAPERS
 from tests.support.command import dualcay

@@ -6,13 +6,13 @@ from collections.abc import Callable
 from functools import cache
 from typing import Any
 
-from ....algebra import Quaternion, Tensor, Vector, real_part
+from ....algebra import Quaternion, Tensor, Vector, first_principles, real_part
 from ....claims.language import values
 from ....claims.language.common_definitions import condition
 from ....claims.language.environment import Env
 from ....claims.numbers.every_order import EveryOrder
 from ....claims.numbers.fields import UndefinedError, innermost
-from ....maps import Cayley, first_principles
+from ....maps import Cayley
 from ....maps.chart import Chart
 from ....maps.elementary import evaluate
 from ....maps.families import alpha as angle_of_phi

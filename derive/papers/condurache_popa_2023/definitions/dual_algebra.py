@@ -5,13 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from ....algebra import Quaternion, Tensor, Vector, real_part
+from ....algebra import Quaternion, Tensor, Vector, first_principles, real_part
 from ....claims.language import values
 from ....claims.language.common_definitions import condition
 from ....claims.language.environment import Env
 from ....claims.language.values import dualise
 from ....claims.numbers.fields import innermost
-from ....maps import first_principles
 
 Frame = Callable[[int], Vector]
 """Vectors of a basis by number, 1 to 3."""

@@ -4,14 +4,13 @@ from __future__ import annotations
 
 from typing import Any
 
-from ....algebra import Quaternion, Tensor, Vector, real_part
+from ....algebra import Quaternion, Tensor, Vector, first_principles, real_part
+from ....algebra.exponentials import quaternion_exponential, tensor_exponential
+from ....algebra.pose import Pose, line_through, pose_from_tensor
 from ....claims.language import values
 from ....claims.language.common_definitions import condition, nilpotent, plain, screw_quaternion, screw_tensor
 from ....claims.language.environment import Env
 from ....claims.language.values import dualise
-from ....maps import first_principles
-from ....maps.exponential import quaternion_exponential, tensor_exponential
-from ....maps.pose import Pose, line_through, pose_from_tensor
 from .dual_algebra import one_axis
 
 AXES = tuple(Vector(*row) for row in Tensor.identity().rows)

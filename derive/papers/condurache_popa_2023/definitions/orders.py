@@ -5,13 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from ....algebra import Dual, Quaternion, Tensor, Vector, real_part
+from ....algebra import Dual, Quaternion, Tensor, Vector, first_principles, real_part
+from ....algebra.exponentials import tensor_exponential
 from ....claims.language import values
 from ....claims.language.common_definitions import condition, screw_quaternion, screw_tensor
 from ....claims.language.environment import Env
 from ....claims.numbers.fields import UndefinedError
-from ....maps import first_principles
-from ....maps.exponential import tensor_exponential
 from . import dual_algebra, motions
 
 

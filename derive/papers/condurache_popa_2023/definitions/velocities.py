@@ -8,13 +8,12 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from ....algebra import Dual, Tensor, Vector
+from ....algebra import Dual, Tensor, Vector, first_principles
+from ....algebra.pose import line_through, pose_from_tensor
 from ....claims.language import values
 from ....claims.language.common_definitions import condition, plain
 from ....claims.language.environment import Env
 from ....claims.numbers.fields import innermost
-from ....maps import first_principles
-from ....maps.pose import line_through, pose_from_tensor
 from .motions import AXES
 
 

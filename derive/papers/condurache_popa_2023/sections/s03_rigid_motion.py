@@ -3,7 +3,7 @@
 from functools import partial
 
 from ....algebra import real_part
-from ....maps.pose import Pose, foot, pose_from_tensor
+from ....algebra.pose import Pose, foot, pose_from_tensor
 from ..definitions import motions
 from . import *
 

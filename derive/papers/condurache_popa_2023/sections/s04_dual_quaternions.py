@@ -1,8 +1,8 @@
 """Section 4, dual quaternions: lines 120-145."""
 
 from ....algebra import Quaternion
-from ....maps.first_principles import tensor_by_sandwich
-from ....maps.pose import pose_from_tensor
+from ....algebra.first_principles import tensor_by_sandwich
+from ....algebra.pose import pose_from_tensor
 from ..definitions import motions
 from . import *
 from .s02_2_dual_vectors import lam, mu

@@ -3,9 +3,8 @@
 from functools import partial
 from typing import Any
 
-from ....algebra import Dual, Tensor, Vector
-from ....maps import first_principles
-from ....maps.pose import line_through
+from ....algebra import Dual, Tensor, Vector, first_principles
+from ....algebra.pose import line_through
 from ..definitions import velocities
 from . import *
 

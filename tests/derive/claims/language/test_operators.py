@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 from derive.algebra import Dual, Tensor, Vector
+from derive.algebra.pose import Pose
 from derive.claims.language import values
 from derive.claims.language.common_definitions import condition
 from derive.claims.language.environment import Env
@@ -14,7 +15,6 @@ from derive.claims.language.printed import Apply, Symbol, Trait, latex, shown_as
 from derive.claims.numbers.balls import Balls
 from derive.claims.numbers.kinds import KINDS
 from derive.claims.numbers.quantities import QUANTITIES
-from derive.maps.pose import Pose
 from derive.papers import PAPERS
 from derive.papers.condurache_popa_2023.cp23_notation import is_algebraic
 from tests.mutants.statements import changed

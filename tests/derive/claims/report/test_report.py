@@ -12,12 +12,11 @@ from pathlib import Path
 import pytest
 from rich.cells import cell_len
 
-from derive.claims import Result, Status
 from derive.claims.language.printed import Symbol
 from derive.claims.report import FORMATS, Report
 from derive.claims.report.pages import differing_sides, mathml
 from derive.claims.report.plain import escape, plain
-from derive.claims.result import Verdict
+from derive.claims.result import Result, Status, Verdict
 from derive.papers import PAPERS, verify
 from derive.proof import theorems
 

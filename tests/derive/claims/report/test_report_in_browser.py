@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from derive.claims import Status
+from derive.claims.result import Status
 from tests.support import browsers
 
 pytestmark = pytest.mark.browser

@@ -9,9 +9,9 @@ from typing import Any
 import mpmath
 import pytest
 
-from derive.algebra import Dual, Quaternion, Tensor, Vector, ZeroDivisorError, functions
-from derive.maps import closed_forms, first_principles, rodrigues
-from derive.maps.exponential import quaternion_exponential, tensor_exponential
+from derive.algebra import Dual, Quaternion, Tensor, Vector, ZeroDivisorError, first_principles, functions
+from derive.algebra.exponentials import quaternion_exponential, tensor_exponential
+from derive.maps import closed_forms, rodrigues
 
 TINY = mpmath.mpf(10) ** -40
 Gap = Callable[[object, object], Any]

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from ..algebra import Coefficient, Dual, Quaternion, Tensor, Vector, dual_part, real_part
+from . import Coefficient, Dual, Quaternion, Tensor, Vector, dual_part, real_part
 from .pose import is_zero
 
 

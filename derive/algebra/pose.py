@@ -12,8 +12,8 @@ from typing import Any
 
 import sympy
 
-from ..algebra import Coefficient, Dual, Quaternion, Tensor, Vector, functions
-from ..algebra.functions import atan2, cos, cot, sin
+from . import Coefficient, Dual, Quaternion, Tensor, Vector, functions
+from .functions import atan2, cos, cot, sin
 
 
 @dataclass(frozen=True, slots=True)

@@ -9,9 +9,8 @@ import pytest
 import sympy
 
 from derive.algebra import Dual, Tensor, Vector
-from derive.maps import closed_forms
-from derive.maps.first_principles import tensor_by_sandwich
-from derive.maps.pose import (
+from derive.algebra.first_principles import tensor_by_sandwich
+from derive.algebra.pose import (
     Pose,
     Screw,
     distance,
@@ -23,7 +22,8 @@ from derive.maps.pose import (
     quaternion_from_screw,
     tensor_from_pose,
     tensor_from_screw,
-)
+)  # fmt: skip
+from derive.maps import closed_forms
 
 S = sympy.Rational
 X, Y = Vector(mpmath.mpf(1), mpmath.mpf(0), mpmath.mpf(0)), Vector(mpmath.mpf(0), mpmath.mpf(1), mpmath.mpf(0))
