@@ -11,7 +11,6 @@ from pathlib import Path
 import click
 
 from .. import about
-from ..claims.deciding.claim import ORDERS
 from ..claims.equation import Paper
 from ..claims.language.abbreviations import ClaimError
 from ..claims.report import FORMATS, Report, as_text, data
@@ -25,7 +24,6 @@ from ..papers import PAPERS
 from ..papers import verify as decide
 from ..proof import citing, proofs, theorems
 from . import display, options
-from .certificates import certified
 
 WRONG = (Status.ERRATUM, Status.FALSE, Status.UNDECIDED)
 """Statuses for which --strict exits with 1."""
@@ -34,7 +32,7 @@ WRONG = (Status.ERRATUM, Status.FALSE, Status.UNDECIDED)
 def verify(
     sheets: tuple[str, ...], paper: str | None, claim: str | None, letters: tuple[str, ...], domain: str | None,
     seconds: float, equations: str | None, orders: tuple[int, ...], form: str, output: Path | None,
-    beside: bool, check: bool, certificates: Path | None, strict: bool, max_n: int,
+    beside: bool, check: bool, strict: bool, max_n: int,
 ) -> None:  # fmt: skip
     """Run the command; parameters are its options."""
     options.require_cap(orders, max_n)
@@ -46,8 +44,6 @@ def verify(
         raise click.UsageError("-n belongs to the papers: in a file, n is a letter of the kind order")
     if (check or beside) and output is None:
         raise click.UsageError(f"{'--check' if check else '--data'} needs the file that -o names")
-    if certificates is not None and (check or certificates == output):
-        raise click.UsageError("--certificates writes a file: leave out --check, and name another file than -o")
     papers, stale = [p for p in PAPERS if paper in (None, p.slug)], []
     if sheets or claim is not None:
         read = [_loaded(name) for name in sheets] or [_single(claim or "", letters, domain or "")]
@@ -63,8 +59,6 @@ def verify(
     if output is not None and not check:
         files.write(output.parent, texts, force=True)
         click.echo(f"{output}: {summary(report)}", err=True)
-    if certificates is not None:
-        _certify(certificates, report, orders)
     if stale:
         display.differences(stale, options.without_check())
     for problem in report.problems:
@@ -107,12 +101,6 @@ def _of_sheets(sheets: Sequence[Sheet], equations: list[str] | None, seconds: fl
         step("equations")
         results = check_sheets(sheets, equations, seconds, step)
     return Report.of(sheets, results, (), "", [problem for sheet in sheets for problem in sheet.problems])
-
-
-def _certify(file: Path, report: Report, orders: tuple[int, ...]) -> None:
-    shown = certified(report.results, report.proofs, orders or ORDERS)
-    files.write(file.parent, {file.name: facts.json_rows(**shown)}, force=True)
-    click.echo(f"{file}: {shown['certified']} certificates, {shown['uncertified']} decisions without", err=True)
 
 
 def _chosen(papers: Sequence[Paper], equations: str | None) -> list[str]:

@@ -7,7 +7,6 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import chain
 
 from ..output.facts import json_rows
-from ..proof.certificate import certificate
 from ..proof.identity import Proof
 from ..proof.notation import latex
 from ..proof.statement import Premise
@@ -18,8 +17,7 @@ from .sheet import CLOSED, EVERY_PHI, MAPS_OF_ORDER, MOTION_OF_ORDER
 HEAD = """# Theorems
 
 A theorem is an identity for every order n or every φ; the formulas of the kernels are its instances. The toolkit proves
-each one. A certificate holds the polynomials of a proof, which `tools/check_certificates.py` checks without the
-toolkit (`dualcay verify --certificates FILE`). Coq shares nothing with the toolkit; it proves the theorems of `proofs/`
+each one. Coq shares nothing with the toolkit; it proves the theorems of `proofs/`
 over any commutative ring and for every n (`make machine-proofs`). The groups are those of the
 [formula sheet](sheet.md). An entry below has premises and method, and what Coq leaves out. Numbers are those of
 equations in CP23 (Condurache and Popa 2023). [Its facts](theorems.json) are there as JSON, too.
@@ -46,8 +44,8 @@ COVERED = """## Kernel functions
 | functions | validated | theorems | validated only |
 | --- | --- | --- | --- |"""
 
-TABLE = """| theorem | formula | certificate | Coq | functions that rest on it |
-| --- | --- | --- | --- | --- |"""
+TABLE = """| theorem | formula | Coq | functions that rest on it |
+| --- | --- | --- | --- |"""
 
 GROUPS = {
     "Order n: maps and twists": chain(*MAPS_OF_ORDER.values()),
@@ -76,10 +74,10 @@ def page(general: Iterable[Proof], at_order: Iterable[Proof], controls: Mapping[
     groups = {**THEOREMS, "Behind these": tuple(name for name in known if name not in shown)}
     lines = [HEAD]
     for heading, names in groups.items():
-        lines += [f"## {heading}\n", TABLE, *(_row(known[name], known) for name in names if name in known), ""]
-    lines += [ENTRIES, *(line for proof in general for line in _entry(proof, controls, known))]
+        lines += [f"## {heading}\n", TABLE, *(_row(known[name]) for name in names if name in known), ""]
+    lines += [ENTRIES, *(line for proof in general for line in _entry(proof, controls))]
     lines += [AT_ORDER.format(scope=again[0].scope)]
-    lines += [*(line for proof in again for line in _entry(proof, controls, known)), COVERED]
+    lines += [*(line for proof in again for line in _entry(proof, controls)), COVERED]
     for functions, covered in ROWS.items():
         named, theorems = ", ".join(f"`{name}`" for name in functions), ", ".join(covered.theorems)
         lines.append(f"| {named} | {covered.validation} | {theorems} | {covered.only_validated} |")
@@ -88,14 +86,13 @@ def page(general: Iterable[Proof], at_order: Iterable[Proof], controls: Mapping[
 
 def as_json(general: Sequence[Proof], controls: Mapping[str, int]) -> str:
     """Return the facts about the theorems as JSON."""
-    known = {proof.name: proof for proof in general}
     rows = [
         {
             "name": proof.name, "id": anchor(proof), "scope": proof.scope, "status": proof.status,
             "claim": [{"latex": equation.latex, "equations": list(equation.numbers)} for equation in proof.claim],
             "premises": [premise.equation.latex for premise in proof.premises],
             "conditions": [condition.latex for condition in proof.conditions], "method": proof.method,
-            "residues": len(proof.residues), "certificate": not isinstance(certificate(proof, known), str),
+            "residues": len(proof.residues),
             "coq": list(in_coq(proof).theorems), "controls": controls[proof.title],
             "functions": FUNCTIONS.get(proof.name, "").replace("`", "").split(", ") if proof.name in FUNCTIONS else [],
         }
@@ -109,18 +106,17 @@ def anchor(proof: Proof) -> str:
     return re.sub(r"[^\w -]", "", proof.title.lower()).replace(" ", "-")
 
 
-def _row(proof: Proof, known: Mapping[str, Proof]) -> str:
+def _row(proof: Proof) -> str:
     """Return the row of a theorem; what does not prove it leaves its cell empty."""
     formulas = "<br>".join(f"$`{equation.latex}`$" for equation in proof.claim).replace("|", r"\vert ")
-    certified = not isinstance(certificate(proof, known), str)
     cells = (
-        f"[{proof.name}](#{anchor(proof)})", formulas, "yes" * certified, "yes" * bool(in_coq(proof).theorems),
+        f"[{proof.name}](#{anchor(proof)})", formulas, "yes" * bool(in_coq(proof).theorems),
         FUNCTIONS.get(proof.name, ""),
     )  # fmt: skip
     return f"| {' | '.join(cells)} |"
 
 
-def _entry(proof: Proof, controls: Mapping[str, int], known: Mapping[str, Proof]) -> Iterator[str]:
+def _entry(proof: Proof, controls: Mapping[str, int]) -> Iterator[str]:
     """Yield the lines of a folded entry."""
     yield f'<details><summary><b>{proof.title}</b></summary>\n\n<a id="{anchor(proof)}"></a>'
     for equation in proof.claim:
@@ -132,9 +128,7 @@ def _entry(proof: Proof, controls: Mapping[str, int], known: Mapping[str, Proof]
         base, power = latex(factor.expression), "" if factor.power == 1 else f" to the power {factor.power}"
         yield f"- multiplied by $`{base}`${power}, zero where $`{base} = 0`$"
     yield f"- by {proof.method}; residues: {len(proof.residues)}"
-    written, entry = certificate(proof, known), in_coq(proof)
-    if isinstance(written, str):
-        yield f"- no certificate: {written.partition('; ')[0]}"
+    entry = in_coq(proof)
     if entry.theorems:
         yield f"- in Coq: {', '.join(f'`{name}`' for name in entry.theorems)}"
     if entry.left_out:

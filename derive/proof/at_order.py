@@ -17,7 +17,7 @@ from ..algebra import cayley_pairs
 from ..maps import Cayley, any_order, closed_forms, polynomials
 from .evaluation import NoValueError
 from .formulas import tangent, tangent_inv, tensor
-from .identity import Checks, Proof, Sides, decide
+from .identity import Checks, Proof, decide
 from .notation import R, Shifted, c, d, dcay, dcay_inv, n, p, q, q_hat, text, x
 from .statement import Equation
 from .vector_ring import Ring
@@ -74,8 +74,7 @@ class AtOrder:
         for place, (value, theorem) in enumerate(zip(stated, self.values[symbol], strict=True), 1):
             label = f"{text(name)}, component {place}" if len(stated) > 1 else text(name)
             found = self.ring.lift(value, {x: self.x}) if isinstance(value, sympy.Expr) else value
-            found = self.ring.element(found)
-            yield label, found - theorem, Sides(found, self.ring.element(theorem))
+            yield label, self.ring.element(found) - theorem
 
 
 at_order = lru_cache(maxsize=2)(AtOrder)

@@ -37,28 +37,14 @@ class Multiplier:
         return self.text if self.power == 1 else f"({self.text})^{self.power}"
 
 
-class Sides(NamedTuple):
-    """Both sides of a checked equation in the exact ring, and how the left side follows from a term.
-
-    The function `moved` returns the term and one value for each generator. By the `move` "start" or "step", these
-    values replace the generators; by "rate", they are the derivatives of the generators.
-    """
-
-    left: Any
-    right: Any
-    move: Literal["", "start", "step", "rate"] = ""
-    moved: Callable[[], tuple[Any, tuple[Any, ...]]] | None = None
-
-
 class Residue(NamedTuple):
     """Label of a check, and left side minus right side; the value is 0 exactly if the sides are equal."""
 
     label: str
     value: Any
-    sides: Sides | None = None  # of equations decided in an exact ring
 
 
-Checks = Iterable[Check | tuple[str, Any, Sides] | Multiplier]
+Checks = Iterable[Check | Multiplier]
 """Checks of a statement, and the factors by which differences were multiplied."""
 
 @dataclass(frozen=True)

@@ -7,17 +7,15 @@ differential equation.
 
 from __future__ import annotations
 
-from collections.abc import Container, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
-from functools import partial
+from collections.abc import Container, Iterable, Iterator, Sequence
+from dataclasses import dataclass, replace
 from itertools import combinations
-from typing import Any, Literal
+from typing import Any
 
 import sympy
 
-from ..algebra.element import Element
 from . import notation
-from .identity import ALL_ORDERS, Checks, Sides
+from .identity import ALL_ORDERS, Checks
 from .setting import Setting, Symbols
 from .statement import Equation, Premise
 from .theorem import Method, Theorem
@@ -113,15 +111,13 @@ class Determined(InRing):
         for left, right in unknown.items():
             name = notation.text(left)
             begun = Equation(right.xreplace(at_start), starts[left])
-            yield from differences(ring, f"start, {name}", begun, _Move("start", right, at_start))
+            yield from differences(ring, f"start, {name}", begun)
             if self.by_steps:
                 onward = {index: index + 1} | {t: value for t, value in steps.items() if t not in unknown}
                 reached, law = right.xreplace(onward), steps[left]
-                move = _Move("step", right, onward)
             else:
                 reached, law = notation.rate(right), next(p.equation.right for p in premises if _rated(p) == left)
-                move = _Move("rate", right)
-            yield from differences(ring, f"law, {name}", Equation(reached, law.xreplace(unknown)), move)
+            yield from differences(ring, f"law, {name}", Equation(reached, law.xreplace(unknown)))
 
 
 def determined(
@@ -132,30 +128,13 @@ def determined(
     return Theorem(name, claim, premises, Determined(symbols, start), scope)
 
 
-@dataclass(frozen=True)
-class _Move:
-    """Way from a term to the left side of an equation: by replaced symbols and terms, or by its rate."""
-
-    kind: Literal["start", "step", "rate"]
-    term: sympy.Expr
-    changes: Mapping[sympy.Expr, sympy.Expr] = field(default_factory=dict)
-
-    def of(self, setting: Setting, right: sympy.Expr, place: int) -> tuple[Element, tuple[Element, ...]]:
-        """Return a component of the term, and for each generator its rate or the value that replaces it."""
-        component, _ = setting.compared(Equation(self.term, right))[place]
-        return component, setting.speeds() if self.kind == "rate" else setting.moved(self.changes)
-
-
-def differences(setting: Setting, label: str, equation: Equation, move: _Move | None = None) -> Checks:
-    """Yield the residues of an equation by components with their sides, and its multipliers."""
+def differences(setting: Setting, label: str, equation: Equation) -> Checks:
+    """Yield the residues of an equation by components, and its multipliers."""
     found = setting.compared(equation)
     for place, (left, right) in enumerate(found):
         difference = left - right
-        sides = Sides(left, right)
-        if move is not None:
-            sides = Sides(left, right, move.kind, partial(move.of, setting, equation.right, place))
         name = f"{label}, component {place + 1}" if len(found) > 1 else label
-        yield name, setting.ring.residue(difference), sides
+        yield name, setting.ring.residue(difference)
         yield from setting.ring.multipliers(difference.denominator)
 
 

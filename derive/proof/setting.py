@@ -160,19 +160,6 @@ class Setting(Evaluation):
             found += [(dual_part(a), dual_part(b)) for a, b in pairs]
         return [(self.ring.element(a), self.ring.element(b)) for a, b in found]
 
-    def moved(self, changes: Mapping[sympy.Expr, sympy.Expr]) -> tuple[Element, ...]:
-        """Return the value of each generator after replacing symbols and terms."""
-        powers = {symbol: base ** (step * notation.n) for base, (symbol, step) in self._roots.items()}
-        return tuple(
-            self.ring.generator(symbol) if symbol in self._components
-            else self.value(powers.get(symbol, symbol).xreplace(changes))
-            for symbol in self.ring.symbols
-        )
-
-    def speeds(self) -> tuple[Element, ...]:
-        """Return the rate of each generator; a generator without a rate is constant."""
-        return tuple(self.rates.get(place, self.ring.constant(0)) for place in range(len(self.ring.symbols)))
-
 
 def _derivative(rates: Mapping[Any, Any], value: Any) -> Any:
     if isinstance(value, Dual):

@@ -188,7 +188,7 @@ FIRST = {
     "errata.html": ("What was decided", "erratum", "CP23 36"),
     "benchmarks.html": ("nanoseconds per pose", "[ns per pose against", "N = 1", "N = 100", "pose", "quaternion"),
     IN_CHART: ("dualcay.exponential. pose",),
-    "theorems.html": ("Order n: maps and twists", "theorem formula certificate Coq"),
+    "theorems.html": ("Order n: maps and twists", "theorem formula Coq"),
     "coming_from/gtsam.html": ("GTSAM dualcay", "gtsam.Pose3.Expmap(v).matrix()", "exponential.pose(v)"),
     "accuracy.html": ("digits that are right", "pose of v, below half a turn"),
     "assurance.html": ("target proved executed",),

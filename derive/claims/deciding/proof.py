@@ -17,8 +17,6 @@ from ..numbers.quantities import BRANCH, ORDER
 from .claim import Claim, operators
 from .constrained import gaps
 
-Pairs = list[tuple[Any, Any]]
-"""Pairs of equal numbers in one exact field."""
 WAYS: tuple[Mapping[str, bool], ...] = ({}, {"turning": True}, {"framed": False})
 """Generic values: a vector's magnitude as the tangent of an angle, as an angle, and free components."""
 COMPONENTWISE = frozenset(("vector", "matrix", "block", "entry", "kron", "vec", "zeros"))
@@ -29,21 +27,15 @@ class ContradictionError(Exception):
     """Error for a claim that is true at all points and false exactly."""
 
 
-def proved(claim: Claim, found: list[Pairs] | None = None) -> str | None:
-    """Return for which orders a claim is proved, as "exact …", or None.
-
-    If `found` is a list, fractions are not reduced, and it receives the pairs of equal numbers for each choice of
-    order, branch and sign.
-    """
+def proved(claim: Claim) -> str | None:
+    """Return for which orders a claim is proved, as "exact …", or None."""
     order = next((a for a in claim.letters if a.quantity is ORDER), None)
     branch = next((a for a in claim.letters if a.quantity is BRANCH), None)
     for way in WAYS if _frame_is_free(claim) else WAYS[2:]:
         for every in (True, False) if order is not None and branch is None else (False,):
             choices = _without(order, claim.choices) if every else claim.choices
-            if found is not None:
-                found.clear()
             try:
-                inside = [_proved_at(claim, way, fixed, order if every else None, found) for fixed in choices]
+                inside = [_proved_at(claim, way, fixed, order if every else None) for fixed in choices]
             except NotExactError:
                 continue
             if any(inside):
@@ -71,7 +63,7 @@ def _frame_is_free(claim: Claim) -> bool:
 
 
 def _proved_at(
-    claim: Claim, way: Mapping[str, bool], fixed: Mapping[Symbol, int], order: Symbol | None, found: list[Pairs] | None
+    claim: Claim, way: Mapping[str, bool], fixed: Mapping[Symbol, int], order: Symbol | None
 ) -> bool:
     """Return whether the generic values lie in the domain; if they do, raise unless the claim is true there."""
     lengths = {a for part in with_trait(Trait.LENGTH, *claim.parts) for a in claim.entry.free(part)}
@@ -79,7 +71,6 @@ def _proved_at(
     steps = lcm(steps_of(claim.statement), *(4 * n for a, n in fixed.items() if a.quantity is ORDER))
     dual = claim.dual and takes_apart(claim.statement, *claim.constraints, *claim.entry.definitions)
     generic = Generic(letters, dual, claim.depth, steps, order=order, **way)
-    generic.field.functions.lowest_terms = found is None
     for branch, k in fixed.items():
         if branch.quantity is BRANCH:
             generic.fix_branch(branch, k)
@@ -89,7 +80,7 @@ def _proved_at(
         generic.field.ideal = Ideal([equation for equation in equations if equation])
     if not _inside(claim, env):
         return False
-    _require(claim, env, found)
+    _require(claim, env)
     return True
 
 
@@ -102,12 +93,11 @@ def _inside(claim: Claim, env: Env) -> bool:
         return False
 
 
-def _require(claim: Claim, env: Env, found: list[Pairs] | None) -> None:
+def _require(claim: Claim, env: Env) -> None:
     """Raise unless the statement is true at generic values, by roots and angles that are those at all points."""
-    pairs: Pairs | None = None if found is None else []
     field: Any = env.field
     try:
-        true = replace(env, values=dict(env.values), found=pairs).value(claim.statement)
+        true = replace(env, values=dict(env.values)).value(claim.statement)
     except NotExactError:
         raise
     except (ArithmeticError, TypeError) as error:
@@ -116,8 +106,6 @@ def _require(claim: Claim, env: Env, found: list[Pairs] | None) -> None:
         raise ContradictionError("true at all points but false exactly")
     if not true or (field.branched and claim.entry.of_file):
         raise NotExactError("other roots")
-    if found is not None:
-        found.append(pairs or [])
 
 
 def steps_of(statement: Term) -> int:

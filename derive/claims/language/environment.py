@@ -35,8 +35,7 @@ class Env:
     """Environment: values of symbols over a field of numbers.
 
     `values` contains the free symbols; values of defined symbols are added on first use. Coefficients are dual numbers
-    if `dual`, and their parts carry time derivatives up to the order `moving`. If `found` is a list, it receives the
-    pairs of numbers that equations found equal.
+    if `dual`, and their parts carry time derivatives up to the order `moving`.
     """
 
     field: Field
@@ -44,7 +43,6 @@ class Env:
     definitions: Mapping[Symbol, Definition] = dataclasses.field(default_factory=dict)
     dual: bool = True
     moving: int = 0
-    found: list[tuple[Any, Any]] | None = None
 
     def value(self, statement: Term) -> Any:
         """Return the value of a term: a number, vector, tensor, quaternion, function or truth value."""

@@ -92,7 +92,7 @@ bracket = define("bracket", r"\left[{0}\right]", "({0})", ATOM, (LIST,), lambda 
 
 
 def _chain(env: Env, *sides: Any) -> bool:
-    return all(values.equal(env.field, env.now(a), env.now(b), env.found) for a, b in pairwise(sides))
+    return all(values.equal(env.field, env.now(a), env.now(b)) for a, b in pairwise(sides))
 
 
 equal = define("equal", " = ", "=", RELATION, (SUM,), _chain)

@@ -189,27 +189,19 @@ def vect(a: Any) -> Any:
 # ---- equality ---------------------------------------------------------------------------------------------------
 
 
-def equal(field: Field, a: Any, b: Any, found: list[tuple[Any, Any]] | None = None) -> bool:
-    """Return whether two values are equal, component by component; ± matches with either sign.
-
-    If the values are equal, their pairs of plain numbers are appended to `found`.
-    """
+def equal(field: Field, a: Any, b: Any) -> bool:
+    """Return whether two values are equal, component by component; ± matches with either sign."""
     if isinstance(b, Solution) or (isinstance(b, Either) and not isinstance(a, Either)):
         a, b = b, a
     if isinstance(a, Either):
-        return equal(field, a.first, b, found) or equal(field, a.second, b, found)
+        return equal(field, a.first, b) or equal(field, a.second, b)
     if isinstance(a, Solution):
         return a.test(b.first) or a.test(b.second) if isinstance(b, Either) else a.test(b)
     if isinstance(a, Structure) and isinstance(b, int) and b == 0:
         b = 0 * a
     if type(a) is not type(b) and (isinstance(a, Structure) or isinstance(b, Structure)):
         a, b = quaternion(a), quaternion(b)
-    if found is None:
-        return all(field.same(s, t) for s, t in _pairs(a, b))
-    pairs = list(_pairs(a, b))
-    same = all(field.same(s, t) for s, t in pairs)
-    found.extend(pairs if same else ())
-    return same
+    return all(field.same(s, t) for s, t in _pairs(a, b))
 
 
 def coefficients(a: Any) -> Iterator[Any]:

@@ -97,7 +97,7 @@ def test_bad_input_has_a_message_and_an_exit_code(tmp_path: Path, arguments, cod
     assert list(tmp_path.iterdir()) == []
 
 
-@pytest.mark.parametrize("command", ["generate -n 2 -o", "verify -o", "verify --certificates", "compare -n 2 --plot"])
+@pytest.mark.parametrize("command", ["generate -n 2 -o", "verify -o", "compare -n 2 --plot"])
 @pytest.mark.parametrize(
     ("place", "message"),
     [("file/in", "'file' is no folder"), ("file/a/b.svg", "'file' is no folder"), ("a" * 256, "at most 255 bytes")],

@@ -8,8 +8,7 @@ from types import SimpleNamespace
 
 import pytest
 
-from derive.claims import equation
-from derive.claims.equation import Entry, Reading
+from derive.claims.equation import Entry, Reading, equation
 from derive.claims.language.operator_table import Re, equal, nonzero
 from derive.claims.language.printed import Symbol, latex
 from derive.claims.report.content import Report, command, domain, example, extent, label, place, readings, why
