@@ -47,13 +47,13 @@ proofs: $(READY)  ## prove all theorems, require that every control fails, and w
 	$(RUN) -m derive.proof -o docs/theorems.md
 
 machine-proofs: $(READY)  ## check theorems and emitted programs with Coq, rounding with Gappa (apt-get install coq gappa)
-	$(RUN) -m derive.machine
-	$(RUN) -m derive.machine.bridge
-	@if command -v gappa > /dev/null; then $(RUN) -m derive.machine.rounding --check $(BOUNDS); \
+	$(RUN) -m proofs
+	$(RUN) -m proofs.bridge
+	@if command -v gappa > /dev/null; then $(RUN) -m proofs.rounding --check $(BOUNDS); \
 	    else echo "skipped: bounds of rounding errors need Gappa (apt-get install gappa)"; fi
 
 bounds: $(VENV)/.bench  ## find bounds of rounding errors with Gappa, and write them into docs/accuracy.md
-	$(RUN) -m derive.machine.rounding -o $(BOUNDS)
+	$(RUN) -m proofs.rounding -o $(BOUNDS)
 	$(RUN) -m benchmarks.accuracy --bounds-only
 
 verify: $(READY)  ## decide every equation of the papers and of documents in use: docs/errata.md, docs/field.md and .json

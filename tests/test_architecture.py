@@ -18,7 +18,7 @@ pytestmark = pytest.mark.smoke
 ORDER = {
     "derive": (
         "about", "workers", "output", "algebra", "claims", "maps", "motion_equations", "proof", "papers", "codegen",
-        "machine", "pages", "front", "cli", "__main__",
+        "pages", "front", "cli", "__main__",
     ),
     "derive.claims": (
         "numbers", "language", "equation", "result", "deciding", "decide", "transcript", "sheet", "run", "report",

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from pathlib import Path
 
-from derive.machine.rounding import SAMPLES, Bound, load
+from proofs.rounding import SAMPLES, Bound, load
 
 FILE = Path(__file__).parents[1] / "certified.json"
 """Bounds, written by ``make bounds``."""

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
-FOLDER = Path(__file__).parents[2] / "proofs"  # Coq files of a checkout
+FOLDER = Path(__file__).parent  # Coq files of a checkout
 LIST = "_CoqProject"  # file that lists the Coq files in the order in which they are compiled
 _GAP = re.compile(r"\b(Admitted|admit|Axioms?|Parameters?|Conjecture|give_up|bypass_check)\b|\bUnset\s+\w+ Checking\b")
 _THEOREM = re.compile(r"\b(Theorem|Lemma)\s+([\w']+)(.*?)\.\s+Proof\.(.*?)\bQed\.", re.DOTALL)

@@ -7,16 +7,16 @@ from pathlib import Path
 
 import pytest
 
-from derive.machine import __main__ as command
-from derive.machine.bridge import main, prove, table
-from derive.machine.checker import compiled, find
-from derive.machine.coq_controls import FILE, controls, refused
-from derive.machine.emitted import printed
-from derive.machine.goals import goals
-from derive.machine.statements import FOLDER, LIST, MachineError, statements, without_comments
 from derive.pages.coq import BY_COQ, in_coq
 from derive.proof import __main__ as proofs
 from derive.proof.identity import ALL_ORDERS
+from proofs import __main__ as command
+from proofs.bridge import main, prove, table
+from proofs.checker import compiled, find
+from proofs.coq_controls import FILE, controls, refused
+from proofs.emitted import printed
+from proofs.goals import goals
+from proofs.statements import FOLDER, LIST, MachineError, statements, without_comments
 
 
 @pytest.fixture
@@ -187,7 +187,7 @@ def test_all_theorems_and_controls(tmp_path: Path, capsys: pytest.CaptureFixture
 
 # --- emitted programs -------------------------------------------------------------------------------------------------
 
-NUMPY = Path(__file__).parents[3] / "generated" / "dualcay"
+NUMPY = Path(__file__).parents[2] / "generated" / "dualcay"
 
 
 @pytest.mark.coq

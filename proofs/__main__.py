@@ -1,4 +1,4 @@
-"""``python -m derive.machine``: check the theorems of proofs/ with Coq, and see that altered statements are refused.
+"""``python -m proofs``: check the theorems of proofs/ with Coq, and see that altered statements are refused.
 
 The exit code is 1 if Coq refuses a proof or accepts a control, and 3 if Coq is missing or of another version.
 """
@@ -20,7 +20,7 @@ BUILD = FOLDER.parent / "build" / "machine"  # folder of compiled files
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Check all theorems and controls; print seconds per file and the assumptions of every theorem."""
-    parser = argparse.ArgumentParser(prog="python -m derive.machine", description="Check proofs/ with Coq.")
+    parser = argparse.ArgumentParser(prog="python -m proofs", description="Check proofs/ with Coq.")
     parser.add_argument("--proofs", type=Path, default=FOLDER, help="folder of Coq files")
     parser.add_argument("--build", type=Path, default=BUILD, help="folder of compiled files")
     options = parser.parse_args(arguments)

@@ -12,14 +12,15 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
 
-from ..codegen.signatures import PUBLIC
+from derive.codegen.signatures import PUBLIC
+
 from .checker import CLOSED, PROCESSES, Coq, compiled, find
 from .coq_definitions import GEOMETRY
 from .emitted import printed
 from .goals import ORDERS, Goal, goals
 from .statements import MachineError
 
-ROOT = Path(__file__).parents[2]
+ROOT = Path(__file__).parents[1]
 
 
 @dataclass(frozen=True)
@@ -77,7 +78,7 @@ def table(outcomes: Iterable[ProofTime]) -> str:
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Prove the committed NumPy kernels and the C headers of a folder, or those that the generator prints now."""
-    parser = argparse.ArgumentParser(prog="python -m derive.machine.bridge", description=__doc__)
+    parser = argparse.ArgumentParser(prog="python -m proofs.bridge", description=__doc__)
     parser.add_argument("--numpy", type=Path, default=ROOT / "generated" / "dualcay", help="folder of NumPy kernels")
     parser.add_argument("--c", type=Path, help="folder of C headers; by default they are printed to a temporary folder")
     chosen = parser.parse_args(arguments)

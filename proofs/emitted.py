@@ -16,13 +16,14 @@ from typing import Any
 
 import numpy as np
 
-from ..codegen.build import print_package
-from ..codegen.signatures import PUBLIC
-from ..codegen.targets import TARGETS
-from ..codegen.validation.batches import ValidationFailed
-from ..codegen.validation.c_interpreter import UNSET, CError, Pointer, load
-from ..maps import Cayley
-from ..output import files
+from derive.codegen.build import print_package
+from derive.codegen.signatures import PUBLIC
+from derive.codegen.targets import TARGETS
+from derive.codegen.validation.batches import ValidationFailed
+from derive.codegen.validation.c_interpreter import UNSET, CError, Pointer, load
+from derive.maps import Cayley
+from derive.output import files
+
 from .coq_definitions import GEOMETRY, SCALARS, U, V
 from .statements import MachineError
 from .transcript import Transcript

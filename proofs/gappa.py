@@ -19,8 +19,9 @@ from typing import Any
 import numpy as np
 import sympy
 
-from ..maps import Cayley
-from ..maps.polynomials import x
+from derive.maps import Cayley
+from derive.maps.polynomials import x
+
 from .coq_definitions import V
 from .statements import MachineError
 from .transcript import Operand, Transcript

@@ -11,7 +11,8 @@ from dataclasses import dataclass
 from functools import partial, reduce
 from pathlib import Path
 
-from ..codegen.validation.loading import loaded
+from derive.codegen.validation.loading import loaded
+
 from .coq_definitions import GEOMETRY, HALF, SCALARS, GeometryDefinition, X
 from .emitted import CHeader, PythonModule, reading
 from .transcript import Transcript, product

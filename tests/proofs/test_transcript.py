@@ -9,13 +9,13 @@ from typing import Any
 import pytest
 
 from derive.codegen.validation.loading import loaded
-from derive.machine.coq_definitions import GEOMETRY, SCALARS
-from derive.machine.emitted import CHeader, PythonModule
-from derive.machine.goals import chart_file, geometry_file
-from derive.machine.statements import MachineError
-from derive.machine.transcript import Transcript, constant
+from proofs.coq_definitions import GEOMETRY, SCALARS
+from proofs.emitted import CHeader, PythonModule
+from proofs.goals import chart_file, geometry_file
+from proofs.statements import MachineError
+from proofs.transcript import Transcript, constant
 
-NUMPY = Path(__file__).parents[3] / "generated" / "dualcay"
+NUMPY = Path(__file__).parents[2] / "generated" / "dualcay"
 
 HEADER = """
 static void dualcay_toy_half(const double *v_at, unsigned long v_by, double side, double *w_at, unsigned long w_by)

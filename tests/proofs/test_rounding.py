@@ -11,15 +11,15 @@ import numpy as np
 import pytest
 import sympy
 
-from derive.machine import gappa
-from derive.machine.emitted import CHeader, printed
-from derive.machine.rounding import FUNCTIONS, ORDERS, Bound, certify, control, found, load, main, measured, read
-from derive.machine.statements import MachineError
-from derive.machine.transcript import Transcript
 from derive.maps import Cayley
 from derive.maps.polynomials import x
+from proofs import gappa
+from proofs.emitted import CHeader, printed
+from proofs.rounding import FUNCTIONS, ORDERS, Bound, certify, control, found, load, main, measured, read
+from proofs.statements import MachineError
+from proofs.transcript import Transcript
 
-RECORDED = Path(__file__).parents[3] / "benchmarks" / "certified.json"
+RECORDED = Path(__file__).parents[2] / "benchmarks" / "certified.json"
 
 HEADER = """
 static void dualcay_toy_scalars(double x, double *s_at)

@@ -1,4 +1,4 @@
-"""``python -m derive.machine.rounding``: bound the rounding errors of emitted C programs with Gappa.
+"""``python -m proofs.rounding``: bound the rounding errors of emitted C programs with Gappa.
 
 The exit code is 1 if a bound is refused or a control passes, and 3 if Gappa is missing. Bounds hold if every
 operation is rounded to nearest, without fused multiply-adds.
@@ -148,7 +148,7 @@ def load(path: Path) -> list[Bound]:
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Find and certify bounds of the C headers of a folder, or of those that the generator prints now."""
-    parser = argparse.ArgumentParser(prog="python -m derive.machine.rounding", description="Bound rounding errors.")
+    parser = argparse.ArgumentParser(prog="python -m proofs.rounding", description="Bound rounding errors.")
     parser.add_argument("--c", type=Path, help="folder of C headers; by default they are printed to a temporary folder")
     parser.add_argument("-o", "--output", type=Path, help="file of bounds to write")
     parser.add_argument("--check", type=Path, metavar="FILE", help="certify the bounds of a file instead")
