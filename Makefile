@@ -38,13 +38,13 @@ check-errata: $(READY)
 	$(RUN) -m derive verify --format markdown --data -o docs/errata.md --check
 
 check-field: $(READY)  ## fail if a formula in use is decided otherwise than docs/field.md says (a minute)
-	$(RUN) -m derive.pages.field -o docs/field.md --check
+	$(RUN) -m docs.pages.field -o docs/field.md --check
 
 check-theorems: $(READY)
-	$(RUN) -m derive.proof -o docs/theorems.md --check
+	$(RUN) -m docs.pages.proving -o docs/theorems.md --check
 
 proofs: $(READY)  ## prove all theorems, require that every control fails, and write docs/theorems.md
-	$(RUN) -m derive.proof -o docs/theorems.md
+	$(RUN) -m docs.pages.proving -o docs/theorems.md
 
 machine-proofs: $(READY)  ## check theorems and emitted programs with Coq, rounding with Gappa (apt-get install coq gappa)
 	$(RUN) -m proofs
@@ -58,7 +58,7 @@ bounds: $(VENV)/.bench  ## find bounds of rounding errors with Gappa, and write 
 
 verify: $(READY)  ## decide every equation of the papers and of documents in use: docs/errata.md, docs/field.md and .json
 	$(RUN) -m derive verify --format markdown --data -o docs/errata.md
-	$(RUN) -m derive.pages.field -o docs/field.md
+	$(RUN) -m docs.pages.field -o docs/field.md
 
 show: $(READY)  ## print the formulas of an order: make show N=3
 	$(RUN) -m derive show -n $(or $(N),1-3)

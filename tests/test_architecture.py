@@ -75,6 +75,12 @@ def test_other_charts_import_one_module_of_any_phi():
     assert {module for module in found if module[:3] == user} == {(*user, "parameterization")}
 
 
+def test_the_toolkit_imports_nothing_of_a_checkout_alone():
+    outside = {"proofs", "docs", "tests", "benchmarks", "examples"}
+    assert {(file, m) for _, file in sources("derive") for m in imported(file) if m[0] in outside} == set()
+    assert {m[0] for _, file in sources("docs", "pages") for m in imported(file)} & outside == {"docs"}
+
+
 def test_imports_inside_functions_are_found():
     assert ("derive", "claims", "equation") in set(imported(ROOT / "derive" / "cli" / "commands.py"))
 

@@ -11,8 +11,8 @@ from benchmarks import page as speed
 from benchmarks import times
 from derive.about import __version__
 from derive.codegen.targets import TARGETS
-from derive.pages.field_facts import COLLECTIONS
 from derive.papers import PAPERS
+from docs.pages.field_facts import COLLECTIONS
 from tests.support import pages
 
 

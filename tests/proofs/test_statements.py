@@ -7,9 +7,9 @@ from pathlib import Path
 
 import pytest
 
-from derive.pages.coq import BY_COQ, in_coq
-from derive.proof import __main__ as proofs
 from derive.proof.identity import ALL_ORDERS
+from docs.pages import proving as proofs
+from docs.pages.coq import BY_COQ, in_coq
 from proofs import __main__ as command
 from proofs.bridge import main, prove, table
 from proofs.checker import compiled, find

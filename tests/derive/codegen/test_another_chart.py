@@ -17,7 +17,7 @@ from derive.codegen.validation.vectors import Vectors, flat, vectors_of
 from derive.maps import Cayley, x
 from derive.maps.families import alpha
 from derive.proof import ProofFailed, prove
-from derive.proof.controls import controls_of
+from docs.pages.controls import controls_of
 from tests.support.sine import Sine
 
 pytestmark = pytest.mark.thorough

@@ -7,7 +7,6 @@ from dataclasses import replace
 import pytest
 import sympy
 
-from derive.proof.controls import controls
 from derive.proof.displacement_theorems import TURNED
 from derive.proof.limit_theorems import GROWING_ORDER
 from derive.proof.methods import Identity
@@ -31,6 +30,7 @@ from derive.proof.proved import STATED
 from derive.proof.setting import Setting, Symbols
 from derive.proof.statement import Equation, Premise, definition
 from derive.proof.theorem import Theorem
+from docs.pages.controls import controls
 from tests.support.theorems import known
 
 ORIGIN = (definition(Shifted(p, x, 0), 1), definition(Shifted(q, x, 0), n))

@@ -14,12 +14,12 @@ from derive.algebra.arithmetic import PLAIN
 from derive.maps import Cayley, family, x
 from derive.maps.families import alpha
 from derive.proof import ProofFailed, prove, root_of, scalars
-from derive.proof.controls import controls, controls_of
 from derive.proof.displacement_theorems import DOUBLE_ANGLE, EXPONENTIAL, VERSOR_EXPONENTIAL
 from derive.proof.limit_theorems import GROWING_ORDER
 from derive.proof.phi_theorems import ANY_PHI, any_phi
 from derive.proof.scalars import ScalarProofs, _at_origin
 from derive.proof.theorem import decided
+from docs.pages.controls import controls, controls_of
 
 
 def test_theorems_hold():

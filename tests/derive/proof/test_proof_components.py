@@ -13,9 +13,9 @@ from derive.proof import notation as m
 from derive.proof.at_order import FUNCTIONS, SYMBOLS, computations, instances
 from derive.proof.at_point import AtPoint
 from derive.proof.components import ROTATED, STATEMENTS, Components
-from derive.proof.controls import controls_at, controls_of
 from derive.proof.identity import Multiplier
 from derive.proof.statement import Equation
+from docs.pages.controls import controls_at, controls_of
 
 
 @pytest.mark.parametrize("backend", ["flint", "sympy"])

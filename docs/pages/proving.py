@@ -1,4 +1,4 @@
-"""``python -m derive.proof``: prove everything and run all controls.
+"""``python -m docs.pages.proving``: prove everything and run all controls.
 
 The exit code is 1 if a proof fails, if a control does not fail, or, with ``--check``, if the page of theorems is stale.
 """
@@ -12,15 +12,16 @@ from collections.abc import Sequence
 from itertools import chain
 from pathlib import Path
 
-from ..maps import Cayley
-from ..output import facts
-from ..output.progress import bar
-from ..pages.theorems import as_json, page
+from derive.maps import Cayley
+from derive.output import facts
+from derive.output.progress import bar
+from derive.proof.displacement_theorems import CLOSED_AT
+from derive.proof.identity import ALL_ORDERS, Proof
+from derive.proof.proved import CLAIMS, proofs
+from derive.proof.theorem import decided
+
 from .controls import Control, controls, controls_at, controls_of
-from .displacement_theorems import CLOSED_AT
-from .identity import ALL_ORDERS, Proof
-from .proved import CLAIMS, proofs
-from .theorem import decided
+from .theorems import as_json, page
 
 ORDERS = (1, 2, 3, 4, 5)
 """Orders of the proofs and controls at single orders: even and odd orders, with and without poles."""
@@ -31,7 +32,7 @@ SHOWN = 3
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Prove everything and run the controls, print failures and counts, and write or compare the page of theorems."""
-    parser = argparse.ArgumentParser(prog="python -m derive.proof", description="Prove everything, see controls fail.")
+    parser = argparse.ArgumentParser(prog="python -m docs.pages.proving", description=main.__doc__)
     parser.add_argument("-o", "--output", type=Path, help="page of theorems to write, with JSON beside it")
     parser.add_argument("--check", action="store_true", help="compare both instead")
     options = parser.parse_args(arguments)
@@ -59,7 +60,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return 0
     count = Counter(control.proof.title for control in altered)
     texts = facts.beside(options.output, page(general, again[SHOWN], count), as_json(general, count))
-    return facts.deliver(options.output, texts, options.check, "derive.proof")
+    return facts.deliver(options.output, texts, options.check, "docs.pages.proving")
 
 
 def at_order(n: int) -> tuple[Proof, ...]:

@@ -9,14 +9,14 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from ..claims.language.written import written
-from ..claims.result import Result, Status
-from ..claims.run import SECONDS, check_sheets
-from ..claims.sheet import Sheet, load
-from ..output.facts import json_rows
-from ..output.progress import no_op
+from derive.claims.language.written import written
+from derive.claims.result import Result, Status
+from derive.claims.run import SECONDS, check_sheets
+from derive.claims.sheet import Sheet, load
+from derive.output.facts import json_rows
+from derive.output.progress import no_op
 
-LIBRARY = Path(__file__).parent.parent / "papers" / "field"
+LIBRARY = Path(__file__).parents[2] / "derive" / "papers" / "field"
 TRUE, WRONG = (Status.HOLDS, Status.HOLDS_IF), (Status.FALSE, Status.ERRATUM)
 COLLECTIONS = ("code-alone", "reports")
 """Files that are no document: formulas of code, and formulas that readers reported."""

@@ -10,16 +10,16 @@ import pytest
 
 from derive.codegen.signatures import PUBLIC
 from derive.pages.coverage import COVERAGE
-from derive.pages.theorems import as_json, page
-from derive.proof import __main__ as command
 from derive.proof import notation as m
 from derive.proof import theorems
-from derive.proof.controls import Control, controls
 from derive.proof.evaluation import NoValueError
 from derive.proof.identity import Check, Proof, decide
 from derive.proof.theorem import Theorem, decided
+from docs.pages import proving as command
+from docs.pages.controls import Control, controls
+from docs.pages.theorems import as_json, page
 
-PAGE = Path(__file__).parents[3] / "docs" / "theorems.md"
+PAGE = Path(__file__).parents[2] / "docs" / "theorems.md"
 TEXT = PAGE.read_text(encoding="utf-8")
 COUNTS = {
     name: int(count)

@@ -12,10 +12,10 @@ import pytest
 from derive.claims.result import Result, Status, Verdict
 from derive.claims.run import decide_each, undecided
 from derive.claims.sheet import Sheet, sheet
-from derive.pages import field
-from derive.pages.field_facts import WRONG, Document, Place, anchor, as_json, document, facts, sheets
+from docs.pages import field
+from docs.pages.field_facts import WRONG, Document, Place, anchor, as_json, document, facts, sheets
 
-DOCS = Path(__file__).parents[3] / "docs"
+DOCS = Path(__file__).parents[2] / "docs"
 PAGE, JSON = ((DOCS / name).read_text(encoding="utf-8") for name in ("field.md", "field.json"))
 RECORDED: dict[str, dict[str, Any]] = {row["id"]: row for row in json.loads(JSON)["formulas"]}
 NUMBERS = "- Its sides differ at"

@@ -6,13 +6,14 @@ import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import chain
 
-from ..output.facts import json_rows
-from ..proof.identity import Proof
-from ..proof.notation import latex
-from ..proof.statement import Premise
+from derive.output.facts import json_rows
+from derive.pages.coverage import ROWS
+from derive.pages.sheet import CLOSED, EVERY_PHI, MAPS_OF_ORDER, MOTION_OF_ORDER
+from derive.proof.identity import Proof
+from derive.proof.notation import latex
+from derive.proof.statement import Premise
+
 from .coq import in_coq
-from .coverage import ROWS
-from .sheet import CLOSED, EVERY_PHI, MAPS_OF_ORDER, MOTION_OF_ORDER
 
 HEAD = """# Theorems
 

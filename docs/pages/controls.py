@@ -14,16 +14,16 @@ from typing import Any
 
 import sympy
 
-from ..algebra import Isotropic
-from ..algebra.arithmetic import Arithmetic
-from ..maps import Cayley
-from ..maps.chart import Chart
-from ..maps.families import alpha
-from .at_order import FUNCTIONS, Function, computations, instances
-from .components import STATEMENTS, Components, hamilton
-from .identity import NO_VALUE, Proof
-from .scalars import BENDS, SLOPES, VALUES, ScalarProofs
-from .theorem import Theorem
+from derive.algebra import Isotropic
+from derive.algebra.arithmetic import Arithmetic
+from derive.maps import Cayley
+from derive.maps.chart import Chart
+from derive.maps.families import alpha
+from derive.proof.at_order import FUNCTIONS, Function, computations, instances
+from derive.proof.components import STATEMENTS, Components, hamilton
+from derive.proof.identity import NO_VALUE, Proof
+from derive.proof.scalars import BENDS, SLOPES, VALUES, ScalarProofs
+from derive.proof.theorem import Theorem
 
 
 @dataclass(frozen=True)

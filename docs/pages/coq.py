@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import NamedTuple
 
-from ..proof.identity import ALL_ORDERS, Proof
+from derive.proof.identity import ALL_ORDERS, Proof
 
 
 class InCoq(NamedTuple):

@@ -1,4 +1,4 @@
-"""``python -m derive.pages.field``: decide the library of formulas in use, and write its page with JSON beside it.
+"""``python -m docs.pages.field``: decide the library of formulas in use, and write its page with JSON beside it.
 
 The exit code is 1 if, with ``--check``, a file is stale. An equation that is not decided in its time is on the page.
 """
@@ -12,11 +12,12 @@ from collections import Counter
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
-from ..claims.report.content import example
-from ..claims.report.pages import differing_sides
-from ..claims.result import Result, Status
-from ..output import facts
-from ..output.progress import bar
+from derive.claims.report.content import example
+from derive.claims.report.pages import differing_sides
+from derive.claims.result import Result, Status
+from derive.output import facts
+from derive.output.progress import bar
+
 from .field_facts import COLLECTIONS, TRUE, WRONG, Document, Place, anchor, as_json, correction, decided, sheets
 
 # The page holds verdicts of equations that can be decided, so a busy machine must not end one of them.
@@ -181,7 +182,7 @@ def _maths(latex: str) -> str:
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Decide the library, and write or compare the page and the JSON beside it."""
-    parser = argparse.ArgumentParser(prog="python -m derive.pages.field", description="Decide the formulas in use.")
+    parser = argparse.ArgumentParser(prog="python -m docs.pages.field", description="Decide the formulas in use.")
     parser.add_argument("-o", "--output", type=Path, required=True, help="page to write, with JSON beside it")
     parser.add_argument("--check", action="store_true", help="compare the files instead")
     parser.add_argument("--seconds", type=float, default=SECONDS, help="time limit of an equation")
@@ -194,7 +195,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     with bar(sum(len(sheet.entries()) for sheet in read)) as step:
         library = decided(read, options.seconds, step)
     texts = facts.beside(output, page(library), as_json(library))
-    return facts.deliver(output, texts, options.check, "derive.pages.field")
+    return facts.deliver(output, texts, options.check, "docs.pages.field")
 
 
 if __name__ == "__main__":
