@@ -1,6 +1,7 @@
 """Find and render templates, which contain only layout; each receives exactly the names it uses.
 
-A file without holes has no ending ``.j2`` and is copied, so that linters and editors see it where it is written.
+A file without holes stands in the folder ``runtime`` of its target and is copied, so that linters and editors see it
+where it is written.
 """
 
 from __future__ import annotations
@@ -33,18 +34,20 @@ def environment() -> jinja2.Environment:
 
 
 def source(name: str) -> str:
-    """Return the path below ``templates/`` of a generated file: its template, or the file that is copied."""
-    return name if (folder() / name).is_file() else f"{name}.j2"
+    """Return the path below ``templates/`` of a generated file: its template, or the file in ``runtime`` that is copied."""
+    target, _, file = name.partition("/")
+    copied = f"{target}/runtime/{file}"
+    return copied if (folder() / copied).is_file() else f"{name}.j2"
 
 
 def generated(name: str, header: str, /, **data: Any) -> str:
     """Return the text of a generated file: its template rendered, or the file itself beneath the header."""
     path = source(name)
-    if path != name:
+    if path.endswith(".j2"):
         return render(path, header=header, **data)
     if data:
-        raise TypeError(f"templates/{name} has no holes, got data for {', '.join(sorted(data))}")
-    return f"{header}\n{(folder() / name).read_text(encoding='utf-8')}"
+        raise TypeError(f"templates/{path} has no holes, got data for {', '.join(sorted(data))}")
+    return f"{header}\n{(folder() / path).read_text(encoding='utf-8')}"
 
 
 def render(name: str, /, **data: Any) -> str:

@@ -34,6 +34,7 @@ def test_every_function_is_explained(chart) -> None:
         assert repr(found).startswith(f"{name} of {chart.name}, v = ")
 
 
+@pytest.mark.smoke
 def test_module_that_is_not_committed_is_named_by_its_command() -> None:
     assert derive.explain(derive.Cayley(7), "dcay").places[-1].endswith("_tangent_scalars, by dualcay generate -n 7")
 
