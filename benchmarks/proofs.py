@@ -1,4 +1,4 @@
-"""Processor time of proving, printing and checking by order, with python-flint and with SymPy alone.
+"""Processor time of proving, printing and checking by order.
 
 Checking means validation on exact numbers, without replay on floats or compiled tests. Each row runs in a fresh
 process, so that nothing is cached. Importing the toolkit does not count.
@@ -6,7 +6,6 @@ process, so that nothing is cached. Importing the toolkit does not count.
 
 from __future__ import annotations
 
-import importlib.util
 import statistics
 import subprocess
 import sys
@@ -22,18 +21,13 @@ CASES = (
     ("numpy", (64,), 8.0),
     ("c", (3,), None),
 )
-"""Rows of the table: target, orders, and limit in seconds with python-flint."""
-
-SYMPY_MAX = 3
-"""Largest order that is also timed with SymPy alone, which takes many minutes for n = 64."""
+"""Rows of the table: target, orders, and limit in seconds."""
 
 REPEATS = 3
 
 ROAD = """
 import os, sys
 from contextlib import nullcontext
-if sys.argv[1] == "sympy":
-    sys.modules["flint"] = None
 from derive.codegen.build import build
 from derive.codegen.targets import TARGETS
 from derive.maps import Cayley
@@ -43,9 +37,9 @@ marks = []
 def report(line):
     marks.append((spent_now(), line))
 start = spent_now()
-kind = type(TARGETS[sys.argv[2]])
+kind = type(TARGETS[sys.argv[1]])
 target = type(kind.__name__, (kind,), {"replay": lambda *_: 0, "test": lambda *_: 0})()
-build([Cayley(int(n)) for n in sys.argv[3:]], target, lambda _: nullcontext(report))
+build([Cayley(int(n)) for n in sys.argv[2:]], target, lambda _: nullcontext(report))
 end = spent_now()
 spent = dict.fromkeys(("proving", "printing", "checking"), 0.0)
 for (t, line), (after, _) in zip(marks, [*marks[1:], (end, "")]):
@@ -54,11 +48,11 @@ print(*spent.values(), end - start)
 """
 
 
-def run(backend: str, target: str, orders: tuple[int, ...]) -> list[float]:
+def run(target: str, orders: tuple[int, ...]) -> list[float]:
     """Return seconds of proving, of printing, of checking and in total: medians of fresh processes."""
     rows = []
     for _ in range(REPEATS):
-        command = [sys.executable, "-c", ROAD, backend, target, *map(str, orders)]
+        command = [sys.executable, "-c", ROAD, target, *map(str, orders)]
         done = subprocess.run(command, capture_output=True, text=True, check=True)
         rows.append([float(word) for word in done.stdout.split()])
     return [statistics.median(column) for column in zip(*rows, strict=True)]
@@ -71,16 +65,14 @@ def judged(seconds: float, limit: float | None) -> str:
 
 def main() -> None:
     """Print the table, and mark exceeded limits."""
-    backends = [name for name in ("flint", "sympy") if name == "sympy" or importlib.util.find_spec("flint")]
     stages = ("proving", "printing", "checking", "all (s)")
-    table = Table("target", "n", "backend", "functions", *stages, "limit")
+    table = Table("target", "n", "functions", *stages, "limit")
     for target, orders, limit in CASES:
         functions = sum(len(rows.public) for rows in TARGETS[target].tables)
-        for backend in [b for b in backends if b == "flint" or max(orders) <= SYMPY_MAX]:
-            seconds = run(backend, target, orders)
-            verdict = judged(seconds[-1], limit if backend == "flint" else None)
-            label = str(orders[0]) if len(orders) == 1 else f"{orders[0]}-{orders[-1]}"
-            table.add_row(target, label, backend, str(functions), *(f"{value:.2f}" for value in seconds), verdict)
+        seconds = run(target, orders)
+        label = str(orders[0]) if len(orders) == 1 else f"{orders[0]}-{orders[-1]}"
+        found = (f"{value:.2f}" for value in seconds)
+        table.add_row(target, label, str(functions), *found, judged(seconds[-1], limit))
     Console().print(table)
 
 

@@ -8,7 +8,7 @@ import sys
 
 from .about import __version__
 
-NEEDED = ("click", "jinja2", "latex2mathml", "mpmath", "pcpp", "pycparser", "rich", "sympy")
+NEEDED = ("click", "flint", "jinja2", "latex2mathml", "mpmath", "pcpp", "pycparser", "rich", "sympy")
 INSTALL = 'pip install "dualcay[derive]"'
 INTERRUPTED = 130
 

@@ -8,7 +8,7 @@ from fractions import Fraction
 from numbers import Number
 from typing import Any, TypeVar
 
-from .polynomial_backend import Polynomial
+from .polynomials import Polynomial
 
 Result = TypeVar("Result")
 
@@ -151,7 +151,7 @@ class Element:
     def _derived(self, a: Polynomial, rates: Mapping[int, Element]) -> Element:
         library, total = self.ring.library, self.ring.constant(0)
         for generator, rate in rates.items():
-            slope = library.derivative(a, generator)
+            slope = a.derivative(generator)
             if slope:
                 total = total + Element(self.ring, slope, library.one) * rate
         return total  # type: ignore[no-any-return]

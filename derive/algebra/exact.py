@@ -1,7 +1,7 @@
 """Exact numbers: rational functions of named generators over Q, modulo relations between the generators.
 
 Formulas and kernels accept exact numbers like floats. Equality is decided exactly: an identity between exact numbers
-holds for all values of the generators. The polynomials come from python-flint if installed, otherwise from SymPy.
+holds for all values of the generators. The polynomials come from python-flint.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from typing import Any
 import sympy
 
 from .element import Element, NotExactError
-from .polynomial_backend import Polynomial, polynomials
+from .polynomials import Polynomial, Polynomials
 
 
 class RationalFunctions:
@@ -22,15 +22,14 @@ class RationalFunctions:
 
     The names are generators in lexicographic order; a relation eliminates its first generator. Signs, also of square
     roots, are taken at a reference `point`, by default at distinct positive numbers. Without `lowest_terms`, every
-    divisor stays in the denominators. The `backend` is "flint" or "sympy".
+    divisor stays in the denominators.
     """
 
     def __init__(
-        self, names: Sequence[str], point: Mapping[str, Fraction] | None = None, backend: str | None = None,
-        lowest_terms: bool = True,
-    ) -> None:  # fmt: skip
+        self, names: Sequence[str], point: Mapping[str, Fraction] | None = None, lowest_terms: bool = True
+    ) -> None:
         self.names = tuple(names)
-        self.library = polynomials(len(self.names), backend)
+        self.library = Polynomials(len(self.names))
         self.lowest_terms = lowest_terms
         self.relations: list[Polynomial] = []
         primes = {name: Fraction(int(sympy.prime(i + 2)), 3) for i, name in enumerate(self.names)}
@@ -106,9 +105,9 @@ class RationalFunctions:
         """Return a quotient of two polynomials, with a monic denominator."""
         one = self.library.one
         if below != one:
-            if (lowest_terms or self.lowest_terms) and (common := self.library.gcd(above, below)) != one:
+            if (lowest_terms or self.lowest_terms) and (common := above.gcd(below)) != one:
                 above, below = above / common, below / common
-            leading = self.library.leading_coefficient(below)
+            leading = below.leading_coefficient()
             if leading != 1:
                 above, below = above * (1 / leading), below * (1 / leading)
         return Element(self, above, below)
@@ -120,7 +119,7 @@ class RationalFunctions:
             return one, one
         if one in (a, b):
             return b, a
-        common = self.library.gcd(a, b)
+        common = a.gcd(b)
         return b / common, a / common
 
     def value(self, a: Polynomial) -> Fraction:

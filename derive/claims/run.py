@@ -21,7 +21,6 @@ from ..output.listing import Listing
 from ..output.progress import bar, no_op
 from ..workers import cores
 from .equation import Entry, UndecidedError
-from .numbers.balls import flint
 from .result import Result, Status, Verdict
 from .sheet import Sheet, claim_alone
 
@@ -32,7 +31,6 @@ def decide_each(
     items: Sequence[tuple[Sheet, int]], seconds: float = SECONDS, step: Callable[[str], None] = lambda line: None
 ) -> list[Result]:
     """Return the results of entries by sheet and place, in order; a slow one is undecided."""
-    flint()  # said once, and not by each worker
     waiting: queue.SimpleQueue[int] = queue.SimpleQueue()
     for i in range(len(items)):
         waiting.put(i)

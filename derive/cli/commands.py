@@ -161,9 +161,7 @@ def run() -> int:
 
 def _exit_codes() -> dict[type[Exception], int]:
     from ..claims.equation import UndecidedError
-    from ..claims.numbers.balls import MissingLibraryError
     from ..codegen import RefusedError, ValidationFailed
     from ..proof import ProofFailed
 
-    return {ProofFailed: 1, ValidationFailed: 1, UndecidedError: 1, RefusedError: 3, OSError: 3,
-            MissingLibraryError: 3}  # fmt: skip
+    return {ProofFailed: 1, ValidationFailed: 1, UndecidedError: 1, RefusedError: 3, OSError: 3}

@@ -34,7 +34,7 @@ def environment() -> jinja2.Environment:
 
 
 def source(name: str) -> str:
-    """Return the path below ``templates/`` of a generated file: its template, or the file in ``runtime`` that is copied."""
+    """Return the path below ``templates/`` of a generated file: its template, or a file in ``runtime`` to be copied."""
     target, _, file = name.partition("/")
     copied = f"{target}/runtime/{file}"
     return copied if (folder() / copied).is_file() else f"{name}.j2"

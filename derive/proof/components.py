@@ -95,9 +95,9 @@ def _conjugate(a: Array) -> Array:
 class Components:
     """Definition and formulas of one Cayley map, expanded in six real symbols."""
 
-    def __init__(self, cayley: Cayley, backend: str | None = None) -> None:
+    def __init__(self, cayley: Cayley) -> None:
         self.cayley = cayley
-        self.ring = Ring(extra=("d1", "d2", "d3"), backend=backend)
+        self.ring = Ring(extra=("d1", "d2", "d3"))
         self.zero, self.one = (_Dual(self.ring.constant(k), self.ring.constant(0)) for k in (0, 1))
         self.identity = np.where(np.eye(4, dtype=bool), self.one, self.zero)  # type: ignore[call-overload]
         self.v = np.array([_Dual(part, self.ring.symbol(f"d{i}")) for i, part in enumerate(self.ring.v, 1)])

@@ -23,7 +23,7 @@ import sympy
 
 from ..algebra.element import Element
 from ..algebra.exact import RationalFunctions
-from ..algebra.polynomial_backend import Polynomial
+from ..algebra.polynomials import Polynomial
 from .identity import Multiplier
 from .notation import n
 
@@ -85,7 +85,7 @@ class DifferentialRing(RationalFunctions):
 
     def expression(self, a: Polynomial) -> sympy.Expr:
         """Return a polynomial as a SymPy expression, with leading coefficient 1."""
-        leading = a * (1 / self.library.leading_coefficient(a))
+        leading = a * (1 / a.leading_coefficient())
         terms = (
             sympy.Mul(sympy.Rational(c.numerator, c.denominator), *map(sympy.Pow, self.symbols, exponents))
             for exponents, c in self.library.terms(leading).items()

@@ -97,10 +97,10 @@ class Proved:
         return f"<Proved {self.formulas.name}: {len(self.proofs)} proofs>"
 
 
-def proofs(chart: Chart, backend: str | None = None) -> tuple[Proof, ...]:
-    """Decide every statement about a chart and return all proofs, including failed ones; see `Ring` for `backend`."""
-    decided = tuple(_proofs_of_order(chart.cayley, backend)) if chart.cayley else ()
-    return (*decided, *(ScalarProofs(chart, backend).proofs() if chart.algebraic else instance(chart)))
+def proofs(chart: Chart) -> tuple[Proof, ...]:
+    """Decide every statement about a chart and return all proofs, including failed ones."""
+    decided = tuple(_proofs_of_order(chart.cayley)) if chart.cayley else ()
+    return (*decided, *(ScalarProofs(chart).proofs() if chart.algebraic else instance(chart)))
 
 
 def prove(chart: Chart) -> Proved:
@@ -111,12 +111,12 @@ def prove(chart: Chart) -> Proved:
     return Proved(chart, decided, _MADE_HERE)
 
 
-def _proofs_of_order(cayley: Cayley, backend: str | None) -> Iterator[Proof]:
+def _proofs_of_order(cayley: Cayley) -> Iterator[Proof]:
     yield from theorems()
     yield from instances(cayley)
     yield from computations(cayley.order)
     yield from decided(CLOSED_AT.get(cayley.order, ()))
-    yield from Components(cayley, backend).proofs()
+    yield from Components(cayley).proofs()
 
 
 def _first_failure(proof: Proof) -> str:

@@ -24,7 +24,7 @@ from sympy.functions.elementary.trigonometric import TrigonometricFunction
 from ..algebra.angles import AngleField
 from ..algebra.arithmetic import PLAIN
 from ..algebra.element import Element
-from ..algebra.polynomial_backend import Polynomial
+from ..algebra.polynomials import Polynomial
 from ..maps.chart import Chart
 from ..maps.elementary import evaluate
 from ..maps.families import alpha
@@ -106,10 +106,10 @@ def _divisor(root: sympy.Pow) -> sympy.Integer | None:
 class ScalarProofs:
     """Proofs about the scalars of a chart."""
 
-    def __init__(self, chart: Chart, backend: str | None = None) -> None:
+    def __init__(self, chart: Chart) -> None:
         self.chart = chart
         self.stated = _coefficients(chart)
-        self.ring = Ring(root=root_of(self.stated), backend=backend)
+        self.ring = Ring(root=root_of(self.stated))
 
     @cached_property
     def values(self) -> Mapping[sympy.Expr, Element]:

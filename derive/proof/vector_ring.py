@@ -22,16 +22,16 @@ class Ring(RationalFunctions):
 
     A second vector w (`vectors` "vw") has the components w1, w2, w3 and the square ``y``. For a `root` k other than 0,
     the generator is s = sqrt(1 + x/k) in place of x. Odd powers of 1 + x/k then have a square root. The root of the
-    second vector is t. The `backend` of the polynomials is "flint" or "sympy"; see `polynomials`.
+    second vector is t.
     """
 
     def __init__(
-        self, extra: Iterable[str] = (), root: int = 0, backend: str | None = None, vectors: str = "v"
+        self, extra: Iterable[str] = (), root: int = 0, vectors: str = "v"
     ) -> None:
         generators = ("st" if root else "xy")[: len(vectors)]
         small = 1 + NEAR_ZERO * (1 if root > 0 else -1) if root else NEAR_ZERO
         components = [f"{letter}{i}" for letter in vectors for i in (3, 2, 1)]
-        super().__init__([*components, *extra, *generators], dict.fromkeys(generators, small), backend)
+        super().__init__([*components, *extra, *generators], dict.fromkeys(generators, small))
         roots = [self.symbol(generator) for generator in generators]
         self.root, self.generator = root, roots[0]
         self.squares = [(s**2 - 1) * root if root else s for s in roots]

@@ -11,10 +11,12 @@ from fractions import Fraction
 from itertools import pairwise
 from typing import Any
 
+import flint
+
 from ..language.environment import Env
 from ..language.printed import Term, Trait, symbols
 from ..language.values import add, coefficients, negative
-from ..numbers.balls import Ball, BlurredError, arb, flint, precision
+from ..numbers.balls import Ball, BlurredError, arb, precision
 from ..numbers.kinds import Numbers
 from .claim import Claim, Place, kind
 
@@ -59,7 +61,7 @@ def touching(claim: Claim, place: Place, part: Term, size: Callable[[Any], Any])
         return sum(squares, arb(size(env.value(part)))).mid()
 
     def gradient(x: Sequence[Any]) -> list[Any]:
-        step = Ball(flint().arb(2) ** -STEP)
+        step = Ball(flint.arb(2) ** -STEP)
         beside = [[[*x[:i], c + h, *x[i + 1 :]] for h in (step, -step)] for i, c in enumerate(x)]
         return [((value(after) - value(before)) / (2 * step.arb)).mid() for after, before in beside]
 
@@ -69,7 +71,7 @@ def touching(claim: Claim, place: Place, part: Term, size: Callable[[Any], Any])
             if x is not None and beyond:
                 return moved(_wide(x))
             x = None if x is None else _solved(gradient, x, KEPT)
-            if x is None or not abs(value([Ball(c) for c in x])) < flint().arb(2) ** -REACHED:
+            if x is None or not abs(value([Ball(c) for c in x])) < flint.arb(2) ** -REACHED:
                 return None
         except (ArithmeticError, BlurredError, TypeError, AttributeError):
             return None
@@ -89,8 +91,8 @@ def _approached(value: Any, gradient: Any, x: list[Any]) -> tuple[list[Any] | No
         if first * last < 0:
             return x, True
         if not first * last > 0 or (i % 8 == 7 and not abs(last) < abs(first) / 2 ** (i // 8 + 1)):
-            return (x if abs(last) < flint().arb(2) ** -KEPT else None), False
-        if abs(last) < flint().arb(2) ** (-2 * KEPT):
+            return (x if abs(last) < flint.arb(2) ** -KEPT else None), False
+        if abs(last) < flint.arb(2) ** (-2 * KEPT):
             break
     return x, False
 
@@ -118,10 +120,10 @@ def _coordinates(
 
 def _wide(x: Sequence[Any]) -> list[Any]:
     """Return coordinates as balls, those near a quarter of an integer as this number."""
-    width, found = flint().arb(2) ** -WIDTH, []
+    width, found = flint.arb(2) ** -WIDTH, []
     for c in x:
         near = Fraction(round(float(c) * 4), 4)
-        found.append(near if abs(c - arb(near)) < width else Ball(flint().arb(c, width)))
+        found.append(near if abs(c - arb(near)) < width else Ball(flint.arb(c, width)))
     return found
 
 
@@ -139,7 +141,7 @@ def _solved(left: Any, x: list[Any], damping: int = DAMPING) -> list[Any] | None
 
     The larger term of `damping` keeps a gradient's steps from directions in which the number is nearly constant.
     """
-    matrix, two = flint().arb_mat, flint().arb(2)
+    matrix, two = flint.arb_mat, flint.arb(2)
     transposed = inverse = None
     for _ in range(STEPS_MAX):
         now = left([Ball(c) for c in x])
@@ -156,7 +158,7 @@ def _solved(left: Any, x: list[Any], damping: int = DAMPING) -> list[Any] | None
 
 def _slopes(left: Any, x: list[Any], now: list[Any]) -> list[list[Any]]:
     """Return the derivatives of all differences by each coordinate."""
-    step, rows = flint().arb(2) ** -STEP, []
+    step, rows = flint.arb(2) ** -STEP, []
     for i in range(len(x)):
         beside = left([Ball(c + step if i == k else c) for k, c in enumerate(x)])
         rows.append([((b - a) / step).mid() for a, b in zip(now, beside, strict=True)])

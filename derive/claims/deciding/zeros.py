@@ -11,11 +11,13 @@ from math import pi
 from random import Random
 from typing import Any
 
+import flint
+
 from ..language.environment import Env
 from ..language.operator_table import Re, norm
 from ..language.printed import Symbol
 from ..language.written import written
-from ..numbers.balls import Ball, arb, flint, precision
+from ..numbers.balls import Ball, arb, precision
 from ..numbers.kinds import Numbers
 from ..numbers.quantities import ORDER
 from .claim import Claim, Place, kind
@@ -93,7 +95,7 @@ class Line:
         for _, refined in sorted(_brackets(value, grid, brief), key=lambda row: abs(row[0])):
             for t in refined():
                 f = None if t is None else value(Ball(t))
-                small = f is not None and abs(f) < flint().arb(2) ** -WIDTH
+                small = f is not None and abs(f) < flint.arb(2) ** -WIDTH
                 if small and len(zeros) < ROOTS_MAX and not any(abs(t - z) < arb(ASIDE) for z in zeros):
                     zeros.append(t)
         return sorted(zeros, key=lambda t: (abs(float(t)), float(t)))
@@ -105,7 +107,7 @@ class Line:
             for t in roots:
                 place, near = f"{self.shown} = {named(float(t))}", NEAR * (1 + abs(Ball(t)))
                 exact = (t * 4).is_integer()
-                on = Ball(t if exact else flint().arb(t, flint().arb(2) ** -WIDTH))
+                on = Ball(t if exact else flint.arb(t, flint.arb(2) ** -WIDTH))
                 found.append(Place(place, self.point(on), on=place))
                 narrow = [near, near * NEAR] if self.claim.entry.claimed is not None else [near]
                 beside = [b for d in narrow for b in (Ball(t) - d, Ball(t) + d) if not (self.one_sided and b < 0)]
@@ -167,13 +169,13 @@ def zero(f: Callable[[Any], Any], a: Any, b: Any, fa: Any, fb: Any) -> Any:
     for _ in range(80):
         c = ((a * fb - b * fa) / (fb - fa)).mid()
         fc = f(Ball(c))
-        if fc is None or fc.contains(0) or abs(b - a) < flint().arb(2) ** -(FINE // 2):
+        if fc is None or fc.contains(0) or abs(b - a) < flint.arb(2) ** -(FINE // 2):
             return None if fc is None else c
         if (fc < 0) != (fb < 0):
             a, fa = b, fb
         else:
             fa = fa / 2
-        if abs(c - b) < flint().arb(2) ** -(FINE // 2):
+        if abs(c - b) < flint.arb(2) ** -(FINE // 2):
             return c
         b, fb = c, fc
     return b
@@ -181,11 +183,11 @@ def zero(f: Callable[[Any], Any], a: Any, b: Any, fa: Any, fb: Any) -> Any:
 
 def _least(f: Callable[[Any], Any], a: Any, b: Any) -> Any:
     """Return the place between two numbers where the slope vanishes, or None."""
-    h = Ball(flint().arb(2) ** -120)
+    h = Ball(flint.arb(2) ** -120)
 
     def slope(t: Any) -> Any:
         after, before = f(t + h), f(t - h)
-        return None if after is None or before is None else (after - before) * flint().arb(2) ** 119
+        return None if after is None or before is None else (after - before) * flint.arb(2) ** 119
 
     first, last = slope(Ball(a) + NEAR), slope(Ball(b) - NEAR)
     if first is None or last is None or not first * last < 0:
@@ -213,9 +215,9 @@ def crossed(claim: Claim, part: Singular, one: Place, other: Place) -> Place | N
             return None
         t = zero(value, arb(0), arb(1), *ends)
         f = None if t is None else value(Ball(t))
-        if f is None or not abs(f) < flint().arb(2) ** -WIDTH:
+        if f is None or not abs(f) < flint.arb(2) ** -WIDTH:
             return None
-        return at(Ball(flint().arb(t, flint().arb(2) ** -WIDTH)))
+        return at(Ball(flint.arb(t, flint.arb(2) ** -WIDTH)))
 
 
 def at_integers(claim: Claim, part: Singular, letter: Symbol, at: dict[Symbol, Any]) -> Iterator[Place]:

@@ -5,12 +5,14 @@ from __future__ import annotations
 from fractions import Fraction
 from typing import Any
 
+import flint
+
 from ...algebra import Quaternion, Structure, Tensor, Vector, matrix
 from ...algebra.element import NotExactError
 from ...algebra.exponentials import quaternion_exponential, tensor_exponential
 from ...algebra.first_principles import tensor_by_sandwich
 from ...algebra.matrix import Matrix
-from ..numbers.balls import Ball, arb, flint
+from ..numbers.balls import Ball, arb
 from ..numbers.fields import UndefinedError, innermost
 from .environment import Env
 from .operator_table import define
@@ -147,7 +149,7 @@ def _of_balls(a: Any) -> Any:
     rows = [[arb(entry) for entry in row] for row in matrix.rows_of(a)]
     if any(entry is None for row in rows for entry in row):
         raise NotExactError("the exponential of a matrix that is neither skew nor a twist")
-    found = flint().arb_mat(rows).exp().tolist()
+    found = flint.arb_mat(rows).exp().tolist()
     return matrix.shaped([[Ball(entry) for entry in row] for row in found])
 
 

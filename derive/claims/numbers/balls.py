@@ -6,13 +6,13 @@ overlap that is too wide to tell raises `BlurredError`, and the caller repeats t
 
 from __future__ import annotations
 
-import importlib
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from fractions import Fraction
-from functools import cache
 from numbers import Number
 from typing import Any
+
+import flint
 
 from ...algebra import Dual
 from .fields import Field, UndefinedError, innermost
@@ -25,28 +25,14 @@ BLURRED = -64
 """Exponent of 2 of the largest error with which two numbers count as equal."""
 
 
-class MissingLibraryError(ImportError):
-    """Error for a library that is not installed, with the command that installs it."""
-
-
 class BlurredError(Exception):
     """Error for balls too wide to tell whether two numbers are equal."""
-
-
-@cache
-def flint() -> Any:
-    """Return python-flint; raise MissingLibraryError without it."""
-    try:
-        return importlib.import_module("flint")
-    except ImportError:
-        needed = 'decisions of claims need python-flint: install with  pip install "dualcay[derive]"'
-        raise MissingLibraryError(needed) from None
 
 
 @contextmanager
 def precision(bits: int) -> Iterator[None]:
     """Compute with balls of this many bits."""
-    context, before = flint().ctx, flint().ctx.prec
+    context, before = flint.ctx, flint.ctx.prec
     context.prec = bits
     try:
         yield
@@ -133,9 +119,9 @@ def arb(value: Any) -> Any:
     if isinstance(value, Ball):
         return value.arb
     if isinstance(value, int):
-        return flint().arb(int(value))
+        return flint.arb(int(value))
     if isinstance(value, Fraction):
-        return flint().arb(flint().fmpq(value.numerator, value.denominator))
+        return flint.arb(flint.fmpq(value.numerator, value.denominator))
     return None
 
 
@@ -147,7 +133,7 @@ def widened(a: Any, error: Any) -> Ball:
 
 def is_sharp(a: Any) -> bool:
     """Return whether the error of a number is far below the largest with which two numbers count as equal."""
-    return bool(arb(a).rad() < (abs(arb(a)).mid() + 1) * flint().arb(2) ** (2 * BLURRED))
+    return bool(arb(a).rad() < (abs(arb(a)).mid() + 1) * flint.arb(2) ** (2 * BLURRED))
 
 
 def _nonzero(a: Any) -> Any:
@@ -174,29 +160,29 @@ class Balls(Field):
         return self._contains_zero(arb(a), 1)
 
     def negligible(self, a: Any) -> bool:
-        return bool(abs(arb(a)) < flint().arb(2) ** -(flint().ctx.prec + SPARE))
+        return bool(abs(arb(a)) < flint.arb(2) ** -(flint.ctx.prec + SPARE))
 
     @staticmethod
     def _contains_zero(gap: Any, size: Any) -> bool:
         if not gap.contains(0):
             return False
-        if not gap.rad() < size * flint().arb(2) ** BLURRED:
+        if not gap.rad() < size * flint.arb(2) ** BLURRED:
             raise BlurredError
         return True
 
     @staticmethod
     def convolved(a: Sequence[Any], b: Sequence[Any]) -> list[Any]:
         """Return the first coefficients of the product of two polynomials, as many as each has."""
-        product = (flint().arb_poly(list(map(arb, a))) * flint().arb_poly(list(map(arb, b)))).coeffs()
-        return [Ball(c) for c in (*product, *[flint().arb(0)] * len(a))[: len(a)]]
+        product = (flint.arb_poly(list(map(arb, a))) * flint.arb_poly(list(map(arb, b)))).coeffs()
+        return [Ball(c) for c in (*product, *[flint.arb(0)] * len(a))[: len(a)]]
 
     @staticmethod
     def divided(a: Sequence[Any], b: Sequence[Any]) -> list[Any]:
         """Return the first coefficients of the quotient of two power series, as many as each has."""
-        context, before = flint().ctx, flint().ctx.cap
+        context, before = flint.ctx, flint.ctx.cap
         context.cap = len(b)
         try:
-            inverse = flint().arb_series(list(map(arb, b)), len(b)).inv()
+            inverse = flint.arb_series(list(map(arb, b)), len(b)).inv()
         finally:
             context.cap = before
         return Balls.convolved(a, [Ball(inverse[k]) for k in range(len(b))])
@@ -238,7 +224,7 @@ class Balls(Field):
         y, x = arb(y), arb(x)
         if y.contains(0) and x.contains(0):
             raise UndefinedError("the angle of 0")
-        return Ball(flint().arb.atan2(y * 0 if y.contains(0) else y, x))
+        return Ball(flint.arb.atan2(y * 0 if y.contains(0) else y, x))
 
     def floor(self, a: Any) -> int:
         """Return the greatest integer that is not greater; a ball around an integer counts as this integer."""
@@ -247,4 +233,4 @@ class Balls(Field):
 
     @property
     def pi(self) -> Ball:
-        return Ball(flint().arb.pi())
+        return Ball(flint.arb.pi())

@@ -6,8 +6,9 @@ from collections.abc import Sequence
 from math import lcm
 from typing import Any
 
+import flint
+
 from ...algebra.element import Element
-from .balls import flint
 
 LIMITS = (200, 500, 1000)
 """Largest numbers of polynomials in a basis, of terms and of bits of coefficients; a cut basis decides less."""
@@ -18,8 +19,8 @@ class Ideal:
 
     def __init__(self, elements: Sequence[Element]) -> None:
         names = [f"g{i}" for i in range(len(elements[0].ring.names))]
-        self._context = flint().fmpz_mpoly_ctx.get(names, flint().Ordering.degrevlex)
-        given = flint().fmpz_mpoly_vec([self._integral(a) for a in elements], self._context)
+        self._context = flint.fmpz_mpoly_ctx.get(names, flint.Ordering.degrevlex)
+        given = flint.fmpz_mpoly_vec([self._integral(a) for a in elements], self._context)
         self._basis, _ = given.buchberger_naive(limits=LIMITS)
 
     def contains(self, element: Element) -> bool:

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+import flint
 import pytest
 
 from derive.claims.decide import decide
-from derive.claims.numbers.balls import Ball, Balls, BlurredError, arb, flint, precision
+from derive.claims.numbers.balls import Ball, Balls, BlurredError, arb, precision
 from derive.claims.result import Result
 from derive.claims.sheet import claim_alone
 
@@ -191,5 +192,5 @@ def test_failures_on_other_branches_are_counted() -> None:
 
 def test_balls_that_are_too_wide_do_not_count_as_equal() -> None:
     with precision(256), pytest.raises(BlurredError):
-        Balls().same(Ball(flint().arb(1, 0.1)), 1)
+        Balls().same(Ball(flint.arb(1, 0.1)), 1)
     assert not Balls().same(Ball(arb(1)), 2)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import sys
 import warnings
 from pathlib import Path
 
@@ -11,7 +10,6 @@ import pytest
 
 import derive
 from derive.claims.language.abbreviations import ClaimError
-from derive.claims.numbers.balls import flint
 from derive.claims.report import FORMATS, Report
 from derive.claims.result import Result, Status
 from derive.claims.run import check_sheets
@@ -154,16 +152,6 @@ def test_slow_equation_is_undecided(tmp_path: Path) -> None:
     first, second = check_sheets([load(file)], seconds=2)
     assert (first.status, first.method) == (Status.UNDECIDED, "not decided within 2 s")
     assert second.status is Status.HOLDS
-
-
-def test_without_flint_the_command_says_how_to_install_it(monkeypatch) -> None:
-    monkeypatch.setitem(sys.modules, "flint", None)
-    flint.cache_clear()
-    try:
-        with pytest.raises(ImportError, match=r'pip install "dualcay\[derive\]"'):
-            derive.check("1 == 1")
-    finally:
-        flint.cache_clear()
 
 
 def test_one_claim() -> None:
