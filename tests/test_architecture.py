@@ -24,8 +24,7 @@ ORDER = {
         "numbers", "language", "equation", "result", "deciding", "decide", "transcript", "sheet", "run", "report",
     ),
     "derive.claims.deciding": (
-        "sharp", "claim", "constrained", "singular", "zeros", "places", "conditions", "regions", "changes", "near",
-        "proof", "witness", "finding",
+        "claim", "constrained", "singular", "zeros", "places", "conditions", "regions", "changes", "proof", "finding",
     ),
     "derive.papers.condurache_popa_2023": ("cp23_notation", "definitions", "sections"),
     "derive.codegen": (

@@ -9,13 +9,12 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 
+from .deciding.changes import mended, needed, vacuous
 from .deciding.claim import ORDERS, Claim
-from .deciding.finding import Finding, Outcome, decided
-from .deciding.near import mended, needed, vacuous
+from .deciding.conditions import is_sharp
+from .deciding.finding import Finding, Outcome, decided, outside_words, shown_at
 from .deciding.places import places
 from .deciding.proof import proved
-from .deciding.sharp import is_sharp
-from .deciding.witness import outside_words, shown_at
 from .equation import Entry, Reading, UndecidedError, require_complete
 from .language.operator_table import both, implies
 from .language.printed import Term

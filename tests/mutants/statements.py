@@ -14,7 +14,7 @@ from derive.claims.equation import Entry
 from derive.claims.language.operator_table import negated
 from derive.claims.language.printed import RELATION, Apply, Number, Symbol, Term
 from derive.claims.numbers.balls import BlurredError
-from derive.claims.numbers.quantities import PROPOSITION
+from derive.claims.numbers.kinds import PROPOSITION
 from derive.claims.result import Result
 from derive.papers import PAPERS
 

@@ -17,8 +17,7 @@ from ..language.operator_table import both, epsilon, equal
 from ..language.printed import Symbol, Term, Trait, rate_depth, symbols, walk, with_trait
 from ..numbers.balls import PRECISIONS, Ball, Balls, BlurredError, arb, precision
 from ..numbers.fields import Field
-from ..numbers.kinds import KINDS, Kind, Numbers, jet
-from ..numbers.quantities import BRANCH, ORDER, SIGN
+from ..numbers.kinds import BRANCH, KINDS, ORDER, SIGN, Kind, Numbers, jet
 
 RATES_MAX = 2
 """Highest order of a time derivative for which letters have rates."""

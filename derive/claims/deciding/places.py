@@ -15,8 +15,7 @@ from ...algebra import Vector
 from ..language.printed import Symbol, Term, symbols
 from ..language.written import written
 from ..numbers.balls import BlurredError
-from ..numbers.kinds import Kind, Numbers, special
-from ..numbers.quantities import ORDER, SIGN
+from ..numbers.kinds import ORDER, SIGN, Kind, Numbers, special
 from .claim import Claim, Place, kind, operators
 from .constrained import onto, touching
 from .singular import ABSENT, ORDERED, Singular, bare, is_integer, singular, size

@@ -11,9 +11,8 @@ from ...algebra.element import NotExactError
 from ..language.environment import Env
 from ..language.operator_table import over
 from ..language.printed import Number, Symbol, Term, Trait, takes_apart, walk, with_trait
-from ..numbers.generic import Generic
-from ..numbers.ideal import Ideal
-from ..numbers.quantities import BRANCH, ORDER
+from ..numbers.generic import Generic, Ideal
+from ..numbers.kinds import BRANCH, ORDER
 from .claim import Claim, operators
 from .constrained import gaps
 

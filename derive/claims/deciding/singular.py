@@ -15,7 +15,7 @@ from ..language.operator_table import cos, sin
 from ..language.printed import Apply, Number, Symbol, Term, symbols, walk
 from ..numbers.balls import BlurredError, arb
 from ..numbers.fields import innermost
-from ..numbers.quantities import ORDER, SIGN
+from ..numbers.kinds import ORDER, SIGN
 from .claim import Claim, Place, kind
 
 ORDERED = frozenset(("less", "at most", "greater", "at least", "unlike"))

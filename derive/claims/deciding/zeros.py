@@ -18,8 +18,7 @@ from ..language.operator_table import Re, norm
 from ..language.printed import Symbol
 from ..language.written import written
 from ..numbers.balls import Ball, arb, precision
-from ..numbers.kinds import Numbers
-from ..numbers.quantities import ORDER
+from ..numbers.kinds import ORDER, Numbers
 from .claim import Claim, Place, kind
 from .singular import ABSENT, Singular, plain_in
 

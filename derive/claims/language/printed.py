@@ -2,7 +2,7 @@
 
 A `Term` is a SymPy node in printed order: construction does not sort, combine or evaluate it. Python's operators
 build terms, so an entry reads like the formula. Module :mod:`derive.claims.language.operator_table` lists operators;
-:mod:`derive.claims.numbers.quantities` lists quantities of symbols.
+:mod:`derive.claims.numbers.kinds` lists quantities of symbols.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from typing import Any, Self
 from sympy import Basic, Integer
 from sympy.core.symbol import Str
 
-from ..numbers.quantities import QUANTITIES, Quantity
+from ..numbers.kinds import QUANTITIES, Quantity
 
 ATOM, POWER, PRODUCT, SUM, RELATION, LIST = 5, 4, 3, 2, 1, 0  # binding strength of a term
 
@@ -106,7 +106,7 @@ class Number(Term):
 class Symbol(Term):
     """Printed symbol with its LaTeX and its characters in the extracted text.
 
-    Its name is unique within a statement; its quantity is a row of the table in `derive.claims.numbers.quantities`.
+    Its name is unique within a statement; its quantity is a row of the table in `derive.claims.numbers.kinds`.
     """
 
     def __new__(cls, name: str, quantity: str, latex: str | None = None, text: str | None = None) -> Self:

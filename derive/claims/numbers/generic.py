@@ -10,16 +10,42 @@ along the real parts. For other statements, an identity of rational functions ov
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from itertools import product
+from math import lcm
 from typing import Any
 
+import flint
+
 from ...algebra import Dual, Quaternion, Vector
-from ...algebra.element import NotExactError
+from ...algebra.element import Element, NotExactError
 from .every_order import EveryOrder
 from .fields import Exact
-from .kinds import jet, sphere, versor
-from .quantities import Role
+from .kinds import Role, jet, sphere, versor
+
+LIMITS = (200, 500, 1000)
+"""Largest numbers of polynomials in a basis, of terms and of bits of coefficients; a cut basis decides less."""
+
+
+class Ideal:
+    """Ideal of the numerators of exact numbers; `contains` is sound, and complete if the basis was not cut."""
+
+    def __init__(self, elements: Sequence[Element]) -> None:
+        names = [f"g{i}" for i in range(len(elements[0].ring.names))]
+        self._context = flint.fmpz_mpoly_ctx.get(names, flint.Ordering.degrevlex)
+        given = flint.fmpz_mpoly_vec([self._integral(a) for a in elements], self._context)
+        self._basis, _ = given.buchberger_naive(limits=LIMITS)
+
+    def contains(self, element: Element) -> bool:
+        """Return whether the numerator of an exact number is a combination of the given ones."""
+        return bool(self._integral(element).reduction_primitive_part(self._basis) == 0)
+
+    def _integral(self, element: Element) -> Any:
+        """Return the numerator with integers as coefficients."""
+        terms = element.ring.library.terms(element.numerator)
+        scale = lcm(*(c.denominator for c in terms.values()))
+        return self._context.from_dict({powers: int(c * scale) for powers, c in terms.items()})
+
 
 RATES = ("˙", "¨")
 STEPS = 4  # sine and cosine of multiples of α/4 are exact

@@ -8,7 +8,7 @@ import sys
 import pytest
 
 from derive.claims.decide import decide
-from derive.claims.deciding.sharp import is_sharp
+from derive.claims.deciding.conditions import is_sharp
 from derive.claims.equation import Entry, Reading, UndecidedError, equation, faithful
 from derive.claims.language.common_definitions import defined, unequal
 from derive.claims.language.operator_table import (

@@ -13,8 +13,7 @@ from derive.claims.language.matrices import exp
 from derive.claims.language.operator_table import Re, cos, epsilon, equal, implies, nonzero, norm, sin, tan, tan2
 from derive.claims.language.printed import Apply, Symbol, Trait, latex, shown_as, symbols, takes_apart, text, with_trait
 from derive.claims.numbers.balls import Balls
-from derive.claims.numbers.kinds import KINDS
-from derive.claims.numbers.quantities import QUANTITIES
+from derive.claims.numbers.kinds import KINDS, QUANTITIES
 from derive.papers import PAPERS
 from derive.papers.condurache_popa_2023.cp23_notation import is_algebraic
 from tests.mutants.statements import changed

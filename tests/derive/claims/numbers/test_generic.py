@@ -11,7 +11,7 @@ from derive.algebra.element import NotExactError
 from derive.claims.language.printed import Symbol
 from derive.claims.numbers.every_order import EveryOrder
 from derive.claims.numbers.generic import Generic
-from derive.claims.numbers.quantities import QUANTITIES
+from derive.claims.numbers.kinds import QUANTITIES
 
 t, v, w = (Symbol(name, "dual vector") for name in "tvw")
 u1, u2, u3 = (Symbol(f"u{i}", "unit vector") for i in (1, 2, 3))

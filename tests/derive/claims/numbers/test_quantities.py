@@ -14,8 +14,7 @@ from derive.claims.language.operator_table import equal
 from derive.claims.language.printed import Symbol
 from derive.claims.numbers.balls import Ball, Balls, arb, precision
 from derive.claims.numbers.generic import Generic
-from derive.claims.numbers.kinds import KINDS, polynomial, special, sphere
-from derive.claims.numbers.quantities import QUANTITIES
+from derive.claims.numbers.kinds import KINDS, QUANTITIES, polynomial, special, sphere
 
 EXACT = [quantity for quantity in QUANTITIES.values() if quantity.exact is not None]
 IN_PYTHON = [name for name, kind in KINDS.items() if QUANTITIES[name].exact and not kind.constant]
