@@ -1,4 +1,4 @@
-"""Compile and run the differential test of a C header, and count the calls that agree."""
+"""Compile and run the differential test of a C header; read extension modules as a compiler does."""
 
 from __future__ import annotations
 
@@ -7,8 +7,12 @@ import re
 import shlex
 import shutil
 import subprocess
+import sysconfig
 import tempfile
+from collections.abc import Iterable
 from pathlib import Path
+
+import numpy as np
 
 from ...maps.chart import Chart
 from .batches import ValidationFailed
@@ -42,11 +46,27 @@ def test(folder: Path, chart: Chart) -> int | None:
         return sum(_run(command, source, real, Path(build) / real) for real in TYPES)
 
 
-def _run(command: list[str], source: Path, real: str, program: Path) -> int:
-    flags = [*FLAGS, f"-DDUALCAY_REAL={real}", str(source), "-o", str(program), "-lm"]
-    made = subprocess.run([*command, *flags], capture_output=True, text=True, timeout=SECONDS, check=False)
+def require_modules(folder: Path, sources: Iterable[str]) -> None:
+    """Require extension modules that a compiler understands in all types, where one is found with Python's headers."""
+    command, headers = compiler(), [sysconfig.get_path("include"), np.get_include()]
+    if command is None or not Path(headers[0], "Python.h").is_file():
+        return
+    flags = ["-std=c99", "-fsyntax-only", "-Werror=implicit", *(f"-isystem{header}" for header in headers)]
+    for source in sources:
+        for real in ("float", "long double"):
+            _compile(command, folder / source, real, flags)
+        _compile(command, folder / source, "double", [*flags, "-DDUALCAY_IS_MODULE"])
+
+
+def _compile(command: list[str], source: Path, real: str, flags: Iterable[str]) -> None:
+    whole = [*command, *flags, f"-DDUALCAY_REAL={real}", str(source), "-lm"]
+    made = subprocess.run(whole, capture_output=True, text=True, timeout=SECONDS, check=False)
     if made.returncode:
         raise ValidationFailed(f"{source.name} does not compile ({real}):\n{made.stderr.strip()}")
+
+
+def _run(command: list[str], source: Path, real: str, program: Path) -> int:
+    _compile(command, source, real, [*FLAGS, "-o", str(program)])
     ran = subprocess.run([str(program)], capture_output=True, text=True, timeout=SECONDS, check=False)
     found = re.search(r": (\d+) calls agree", ran.stdout)
     if ran.returncode or not found:
