@@ -1,6 +1,7 @@
 """``python -m derive.proof``: prove everything and run all controls.
 
 The exit code is 1 if a proof fails, if a control does not fail, or, with ``--check``, if the page of theorems is stale.
+It is 3 if the page cannot be written.
 """
 
 from __future__ import annotations
@@ -35,6 +36,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser.add_argument("-o", "--output", type=Path, help="page of theorems to write, with JSON beside it")
     parser.add_argument("--check", action="store_true", help="compare both instead")
     options = parser.parse_args(arguments)
+    if not options.check and not facts.writable(options.output):
+        return 3
     with bar(2 + 2 * len(ORDERS)) as step:
         step("theorems")
         general = decided(CLAIMS)

@@ -6,16 +6,18 @@ import os
 import re
 import shlex
 import shutil
-import subprocess
-import tempfile
 from pathlib import Path
 
 from ...maps.chart import Chart
+from ...scratch import scratch
+from ...workers import SlowError, run
 from .batches import ValidationFailed
 
 TYPES = ("double", "float")
 COMPILERS = ("cc", "gcc", "clang")
 SECONDS = 300
+"""Processor time that the compiler, and then the test, may take."""
+
 FLAGS = ("-std=c99", "-DDUALCAY_CORE=static inline")
 """Flags without an optimisation, with cores that are not inlined: compilation takes most of the time, and an eighth.
 
@@ -38,16 +40,19 @@ def test(folder: Path, chart: Chart) -> int | None:
     if command is None:
         return None
     source = folder / f"test_{chart.name}.c"
-    with tempfile.TemporaryDirectory() as build:
-        return sum(_run(command, source, real, Path(build) / real) for real in TYPES)
+    with scratch() as build:
+        return sum(_run(command, source, real, build / real) for real in TYPES)
 
 
 def _run(command: list[str], source: Path, real: str, program: Path) -> int:
     flags = [*FLAGS, f"-DDUALCAY_REAL={real}", str(source), "-o", str(program), "-lm"]
-    made = subprocess.run([*command, *flags], capture_output=True, text=True, timeout=SECONDS, check=False)
-    if made.returncode:
-        raise ValidationFailed(f"{source.name} does not compile ({real}):\n{made.stderr.strip()}")
-    ran = subprocess.run([str(program)], capture_output=True, text=True, timeout=SECONDS, check=False)
+    try:
+        made = run([*command, *flags], SECONDS)
+        if made.returncode:
+            raise ValidationFailed(f"{source.name} does not compile ({real}):\n{made.stderr.strip()}")
+        ran = run([str(program)], SECONDS)
+    except SlowError as error:
+        raise ValidationFailed(f"{source.name} ({real}): {error}") from None
     found = re.search(r": (\d+) calls agree", ran.stdout)
     if ran.returncode or not found:
         lines = [line for line in ran.stdout.splitlines() if "FAILED" in line]
