@@ -54,13 +54,15 @@ def main(arguments: Sequence[str] | None = None) -> int:
     wrong = [proof for proof in proved if not proof.proved]
     missed = [control for control in altered if not control.noticed]
     print(f"{len(proved)} statements, {len(wrong)} not proved; {len(altered)} controls, {len(missed)} not noticed")
+    scopes, count = Counter(proof.scope for proof in general), Counter(control.proof.title for control in altered)
+    kinds = ", ".join(f"{number} for {scope}" for scope, number in scopes.items())
+    print(f"{len(general)} theorems, {kinds}; {sum(count[proof.title] for proof in general)} controls of theorems")
     for line in (*map(str, wrong), *map(str, missed)):
         print(line, file=sys.stderr)
     if wrong or missed:
         return 1
     if options.output is None:
         return 0
-    count = Counter(control.proof.title for control in altered)
     texts = facts.beside(options.output, page(general, again[SHOWN], count), as_json(general, count))
     return facts.deliver(options.output, texts, options.check, "derive.proof")
 

@@ -124,7 +124,7 @@ def test_missing_dask_is_an_error_that_says_how_to_install_it() -> None:
     run = [sys.executable, "-c", code]
     done = subprocess.run(run, env={**os.environ, "PYTHONPATH": path}, capture_output=True, text=True)
     assert int(done.stdout) > 15
-    assert done.stderr.splitlines()[-1] == 'ImportError: dualcay.dask needs Dask: pip install "dualcay[dask]"'
+    assert done.stderr.splitlines()[-1] == 'ImportError: dualcay.dask needs Dask: pip install "dask[array]"'
 
 
 @pytest.fixture(scope="module")

@@ -157,7 +157,7 @@ def test_without_flint_the_command_says_how_to_install_it(monkeypatch) -> None:
     monkeypatch.setitem(sys.modules, "flint", None)
     flint.cache_clear()
     try:
-        with pytest.raises(ImportError, match=r'pip install "dualcay\[derive\]"'):
+        with pytest.raises(ImportError, match=r'pip install python-flint'):
             derive.check("1 == 1")
     finally:
         flint.cache_clear()
