@@ -42,6 +42,8 @@ def verify(
         raise click.UsageError(f"{'--check' if check else '--data'} needs the file that -o names")
     if certificates is not None and (check or certificates == output):
         raise click.UsageError("--certificates writes a file: leave out --check, and name another file than -o")
+    if not check:
+        options.require_writable(output, output.with_suffix(".json") if output and beside else None, certificates)
     papers, stale = [p for p in PAPERS if paper in (None, p.slug)], []
     if sheets or claim is not None:
         read = [_loaded(name) for name in sheets] or [_single(claim or "", letters, domain or "")]

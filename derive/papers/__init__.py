@@ -67,7 +67,7 @@ def check(claim: str, /, *, domain: str = "", seconds: float = SECONDS, **letter
     domain : str, optional
         Relation that states where the claim is said to hold.
     seconds : float, optional
-        Time limit; a slower claim is undecided.
+        Processor time that the claim may take; a slower one is undecided. Windows has no such limit.
     **letters : str
         Kind of each letter, such as ``v="vector"`` or ``n="unit vector"``.
 
@@ -125,7 +125,7 @@ def verify(
         Function called with (done, total) after each equation. Without one, a terminal or a notebook shows a progress
         bar after two seconds.
     seconds : float, optional
-        Time limit for an equation of a file; a slower one is undecided.
+        Processor time that an equation of a file may take; a slower one is undecided. Windows has no such limit.
 
     Returns
     -------

@@ -95,7 +95,7 @@ def propagate(
         from ._stepping import FORMS, INTEGRATORS, Problem, largest_angle, steps
         from ._trajectory import Trajectory
     except ModuleNotFoundError as error:
-        raise ImportError('dualcay.propagate needs SciPy: pip install "dualcay[motion]"') from error
+        raise ImportError('dualcay.propagate needs SciPy: pip install "scipy>=1.16"') from error
     if not hasattr(module, "from_exponential") or len(module.identity()) != 6:
         raise TypeError(f"module must be a kernel module of poses, as cayley2 is, got {module!r}")
     for name, value, allowed in (("frame", frame, ("space", "body")), ("method", method, tuple(FORMS)),

@@ -20,7 +20,7 @@ from ._runtime import as_array, batch_shape
 try:
     import dask.array as da
 except ImportError as error:
-    raise ImportError('dualcay.dask needs Dask: pip install "dualcay[dask]"') from error
+    raise ImportError('dualcay.dask needs Dask: pip install "dask[array]"') from error
 
 __all__ = ["apply"]
 

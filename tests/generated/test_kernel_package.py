@@ -128,7 +128,6 @@ def run(code: str, path: list[Path]) -> str:
         env=environment,
         capture_output=True,
         text=True,
-        timeout=60,
     )
     assert done.returncode == 0, done.stderr
     assert done.stderr == ""

@@ -8,18 +8,21 @@ import shlex
 import shutil
 import subprocess
 import sysconfig
-import tempfile
 from collections.abc import Iterable
 from pathlib import Path
 
 import numpy as np
 
 from ...maps.chart import Chart
+from ...scratch import scratch
+from ...workers import SlowError, run
 from .batches import ValidationFailed
 
 TYPES = ("double", "float")
 COMPILERS = ("cc", "gcc", "clang")
 SECONDS = 300
+"""Processor time that the compiler, and then the test, may take."""
+
 FLAGS = ("-std=c99", "-DDUALCAY_CORE=static inline")
 """Flags without an optimisation, with cores that are not inlined: compilation takes most of the time, and an eighth.
 
@@ -42,8 +45,8 @@ def test(folder: Path, chart: Chart) -> int | None:
     if command is None:
         return None
     source = folder / f"test_{chart.name}.c"
-    with tempfile.TemporaryDirectory() as build:
-        return sum(_run(command, source, real, Path(build) / real) for real in TYPES)
+    with scratch() as build:
+        return sum(_run(command, source, real, build / real) for real in TYPES)
 
 
 def require_modules(folder: Path, sources: Iterable[str]) -> None:
@@ -59,15 +62,22 @@ def require_modules(folder: Path, sources: Iterable[str]) -> None:
 
 
 def _compile(command: list[str], source: Path, real: str, flags: Iterable[str]) -> None:
-    whole = [*command, *flags, f"-DDUALCAY_REAL={real}", str(source), "-lm"]
-    made = subprocess.run(whole, capture_output=True, text=True, timeout=SECONDS, check=False)
+    made = _limited([*command, *flags, f"-DDUALCAY_REAL={real}", str(source), "-lm"], source, real)
     if made.returncode:
         raise ValidationFailed(f"{source.name} does not compile ({real}):\n{made.stderr.strip()}")
 
 
+def _limited(command: list[str], source: Path, real: str) -> subprocess.CompletedProcess[str]:
+    """Run a command within `SECONDS` of processor time."""
+    try:
+        return run(command, SECONDS)
+    except SlowError as error:
+        raise ValidationFailed(f"{source.name} ({real}): {error}") from None
+
+
 def _run(command: list[str], source: Path, real: str, program: Path) -> int:
     _compile(command, source, real, [*FLAGS, "-o", str(program)])
-    ran = subprocess.run([str(program)], capture_output=True, text=True, timeout=SECONDS, check=False)
+    ran = _limited([str(program)], source, real)
     found = re.search(r": (\d+) calls agree", ran.stdout)
     if ran.returncode or not found:
         lines = [line for line in ran.stdout.splitlines() if "FAILED" in line]

@@ -39,7 +39,7 @@ def flint() -> Any:
     try:
         return importlib.import_module("flint")
     except ImportError:
-        needed = 'decisions of claims need python-flint: install with  pip install "dualcay[derive]"'
+        needed = 'decisions of claims need python-flint: pip install python-flint'
         raise MissingLibraryError(needed) from None
 
 
