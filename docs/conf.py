@@ -39,8 +39,8 @@ exclude_patterns = ["_build", "_templates", "**/README.md", "examples/*.ipynb"] 
 nitpicky = False
 suppress_warnings = ["config.cache"]
 
-# Pages are MyST Markdown; pages with code cells run. An error is a warning with page, cell and traceback on the console:
-# other pages are still written, and `make docs`, for which warnings are errors, fails.
+# Pages are MyST Markdown; pages with code cells run. An error is a warning with page, cell and traceback on the
+# console: other pages are still written, and `make docs`, for which warnings are errors, fails.
 myst_enable_extensions = ["dollarmath", "amsmath", "colon_fence", "deflist", "attrs_inline"]
 myst_heading_anchors = 3
 nb_execution_mode = "cache"
