@@ -358,7 +358,7 @@ CHART = Chart(
         _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _followed,
     ),
     kernels=SHARED,
-    programs="d24b5f531e6a9d15",
+    programs="66aa2f92ecb4a112",
 )
 
 KERNELS = PoseKernels(CHART)

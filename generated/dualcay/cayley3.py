@@ -324,7 +324,7 @@ CHART = Chart(
         _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _followed,
     ),
     kernels=SHARED,
-    programs="e276ecc448f52da0",
+    programs="964d76a4ee4b8b63",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -345,7 +345,7 @@ CHART = Chart(
         _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _followed,
     ),
     kernels=SHARED,
-    programs="1b79f0b2ba8000c5",
+    programs="b8b874f808c64993",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -347,7 +347,7 @@ CHART = Chart(
         _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _followed,
     ),
     kernels=SHARED,
-    programs="5b2d57c7cb77125d",
+    programs="e42f5e631dcd41be",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -370,7 +370,7 @@ CHART = Chart(
         _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _followed,
     ),
     kernels=SHARED,
-    programs="91f1c1f4446e5e7a",
+    programs="3a36454a43427b5a",
 )
 
 KERNELS = PoseKernels(CHART)

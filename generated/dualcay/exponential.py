@@ -390,7 +390,7 @@ CHART = Chart(
         _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _followed,
     ),
     kernels=SHARED,
-    programs="f08a712a5a77f513",
+    programs="5b3877c17a995c34",
 )
 
 KERNELS = PoseKernels(CHART)

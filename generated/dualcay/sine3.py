@@ -353,7 +353,7 @@ CHART = Chart(
         _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _followed,
     ),
     kernels=SHARED,
-    programs="c87e0fe896080ffe",
+    programs="dde31c5b67c927e4",
     ends=True,
 )
 

@@ -361,7 +361,7 @@ CHART = Chart(
         _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _followed,
     ),
     kernels=SHARED,
-    programs="afb5965dbd1a07e2",
+    programs="15376d90327e2d50",
     ends=True,
 )
 

@@ -71,6 +71,9 @@ def test_batches_broadcast_with_arrays_of_numpy_and_plain_numbers() -> None:
     assert_same(apply(cayley3.transform_point, da.from_array(v, chunks=(2, 1, 6)), r), cayley3.transform_point(v, r))
     assert_same(apply(cayley3.pose, da.from_array(v[0, 0])), cayley3.pose(v[0, 0]))
     assert_same(apply(cayley3.pose, v[:0]), cayley3.pose(v[:0]))
+    assert_same(
+        apply(cayley3.interpolate, da.from_array(v[:, 0]), v2=v[0], t=0.3), cayley3.interpolate(v[:, 0], v[0], 0.3)
+    )
     for dtype in (np.float32, np.longdouble, int):
         one, two = (3 * v).astype(dtype), (2 * v[:1]).astype(dtype)
         assert_same(apply(cayley3.interpolate, da.from_array(one), two, 0.3), cayley3.interpolate(one, two, 0.3))
@@ -106,6 +109,7 @@ REFUSED = [
     (cayley3.principal, [V + 0j], {}, TypeError, "v must be real"),
     (cayley3.pose, [V], {"out": V}, TypeError, "out cannot be given"),
     (cayley3.identity, [], {}, TypeError, "must be a function of a kernel module"),
+    (cayley3.switch, [V], {}, TypeError, "with arrays of fixed number and shape"),
     (np.sin, [V], {}, TypeError, "must be a function of a kernel module"),
 ]
 
