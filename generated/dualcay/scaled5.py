@@ -33,7 +33,7 @@ from .cayley5 import CHART as BASE
 
 ORDER = 5
 
-CHART = multiple(BASE, __name__, 10, 1, constant=('inside',), programs="3dbc2b7f986dafac")
+CHART = multiple(BASE, __name__, 10, 1, constant=('inside',), programs="70367bd8f75665b6")
 
 KERNELS = PoseKernels(CHART)
 # the functions of this module are the methods of KERNELS

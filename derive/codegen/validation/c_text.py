@@ -124,7 +124,9 @@ class Kernel:
         return [tuple(p[i * stride + j] for p, stride, n in made for i in range(n)) for j in range(len(batch))]
 
     def _one(self, given: Sequence[Pointer], results: Sequence[Pointer]) -> Flat:
-        self.unit.call(self.name, *given, *self.branch, *results)
+        sizes = [array.size for array in self.row.arguments]
+        passed = [pointer[0] if size == 1 else pointer for pointer, size in zip(given, sizes, strict=True)]
+        self.unit.call(self.name, *passed, *self.branch, *results)
         return tuple(pointer[i] for pointer, size in zip(results, self.sizes, strict=True) for i in range(size))
 
 

@@ -22,7 +22,7 @@ from ._interface import RotationKernels
 
 ORDER = 4
 
-CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="42bf92ece3d4e180")
+CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="bb1facabde026723")
 
 KERNELS = RotationKernels(CHART)
 dcay = KERNELS.tangent

@@ -22,7 +22,7 @@ from ._interface import RotationKernels
 
 ORDER = 3
 
-CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="ef08ed61d6925a45")
+CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="f8d3eea8ef7639e2")
 
 KERNELS = RotationKernels(CHART)
 # the functions of this module are the methods of KERNELS
