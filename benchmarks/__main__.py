@@ -9,6 +9,7 @@ from pathlib import Path
 
 from benchmarks import kernels, maps, motion, native, page, plot, propagate, tables, times
 from benchmarks.timing import allocator_is_fixed, fix_allocator
+from derive.output.files import put
 
 
 def measure() -> Iterator[times.Timed]:
@@ -40,10 +41,10 @@ def main() -> None:
         kept |= {"motion": motion.section(), "propagate": propagate.section()}
     kept.pop("", None)
     plot.draw(data, output.with_suffix(".svg"))
-    output.write_text(page.joined(page.head(data), kept | tables.sections(data)), encoding="utf-8")
+    put(output, page.joined(page.head(data), kept | tables.sections(data)))
     if output.resolve() == times.FILE.with_suffix(".md"):
         text = page.README.sub(rf"\1{page.figures(data)}\2", times.README.read_text(encoding="utf-8"))
-        times.README.write_text(text, encoding="utf-8")
+        put(times.README, text)
     print(f"{output}, {file.name} and {page.FILE_OF_PLOT} are written", file=sys.stderr)
 
 

@@ -104,8 +104,8 @@ def _exports(function: str, name: str, signature: Function) -> Iterator[str]:
     parameters = ", ".join(["size_t n", "int branch", *pointers])
     chosen, ignored = (["branch"], "") if signature.branch else ([], "(void)branch; ")
     rows = ", ".join([*(f"{a.name}, n" for a in given), *chosen, *(f"{a.name}, n" for a in made)])
-    first, second = ([f"{a.name} + {a.size} * j" for a in arrays] for arrays in (given, made))
-    values = ", ".join([*first, *chosen, *second])
+    first = [f"{a.name}[j]" if a.size == 1 else f"{a.name} + {a.size} * j" for a in given]
+    values = ", ".join([*first, *chosen, *(f"{a.name} + {a.size} * j" for a in made)])
     yield f"void {name}_rows({parameters}) {{ {ignored}{function}_rows(n, {rows}); }}"
     yield f"void {name}_aos({parameters}) {{ {ignored}for (size_t j = 0; j < n; ++j) {function}({values}); }}"
 

@@ -23,6 +23,7 @@ from benchmarks.peers import Poses
 from benchmarks.timing import fix_allocator, measured
 from derive.codegen import catalogue
 from derive.maps.chart import Chart
+from derive.output.files import put
 from derive.pages.comparison import ANGLES, MEASURED, MEASUREMENTS, TIMED, Compared
 from tests.support import families, oracle
 
@@ -77,7 +78,7 @@ def main() -> None:
         for chart in charts:
             found[chart.name] = {"errors": errors(chart), "nanoseconds": times[chart.name]}
             bar.advance(row)
-    Path(MEASUREMENTS).write_text(json.dumps(found, indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
+    put(Path(MEASUREMENTS), json.dumps(found, indent=1, ensure_ascii=False) + "\n")
 
 
 if __name__ == "__main__":

@@ -14,6 +14,8 @@ from typing import TYPE_CHECKING
 import mpmath
 import numpy as np
 
+from derive.output.files import put_picture
+
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
@@ -93,7 +95,7 @@ def main() -> None:
     from matplotlib import rc_context
     from matplotlib.figure import Figure
 
-    from benchmarks.style import STYLE, WIDTH, save
+    from benchmarks.style import STYLE, WIDTH
 
     directions = sampling.unit_vectors(sampling.generator("conditioning"), (AXES,))
     labels = list(PANELS)
@@ -104,7 +106,7 @@ def main() -> None:
         draw(right, labels[1], [mpmath.pi - mpmath.mpf(d) for d in DISTANCES], directions)
         left.set_ylabel("error of $v_k$ from a pose (eps)")
         figure.suptitle("Digits of $v_k$: measured (markers), and what eps in the rotation may do (lines)")
-        save(figure, FILE)
+        put_picture(FILE, figure)
 
 
 if __name__ == "__main__":

@@ -26,10 +26,12 @@ from rich.console import Console
 
 from benchmarks.accuracy import curves, figures
 from benchmarks.accuracy.__main__ import progress
-from benchmarks.style import BLUE, FOLDER, GOLD, GREEN, GREY, ORANGE, PINK, STYLE, WIDTH, save
+from benchmarks.style import BLUE, FOLDER, GOLD, GREEN, GREY, ORANGE, PINK, STYLE, WIDTH
 from derive.codegen import catalogue
+from derive.output.files import put, put_picture
 from derive.pages.comparison import Compared
 from derive.pages.stretch import stretch
+from derive.scratch import scratch
 from dualcay import cayley2
 from dualcay.rotation import cayley2 as mrp
 from dualcay.rotation import exponential
@@ -167,15 +169,18 @@ def main() -> None:
     matplotlib.use("Agg")
     with matplotlib.rc_context(STYLE):
         for draw in (charts, screw, motion):
-            save(draw(), FOLDER / f"{draw.__name__}.svg")
+            put_picture(FOLDER / f"{draw.__name__}.svg", draw())
         for name in EXAMPLES:
-            importlib.import_module(f"examples.{name}").main(["--figure", str(FOLDER / f"{name}.svg")])
+            with scratch() as folder:
+                picture = folder / f"{name}.svg"
+                importlib.import_module(f"examples.{name}").main(["--figure", str(picture)])
+                put(FOLDER / picture.name, picture.read_bytes())
         console = Console()
         figures.missing(console)
         with progress(console) as bar:
             row = bar.add_task("angles", total=None)
             found = curves.curves(lambda done, total: bar.update(row, completed=done, total=total))
-        save(accuracy(found), FOLDER / "accuracy.svg")
+        put_picture(FOLDER / "accuracy.svg", accuracy(found))
 
 
 if __name__ == "__main__":

@@ -97,7 +97,7 @@ def main() -> None:
     print(text)
     if output:
         before, rest = output.read_text(encoding="utf-8").split(BEGIN)
-        output.write_text(before + BEGIN + "\n" + text + "\n" + END + rest.split(END)[1], encoding="utf-8")
+        files.put(output, before + BEGIN + "\n" + text + "\n" + END + rest.split(END)[1])
 
 
 if __name__ == "__main__":

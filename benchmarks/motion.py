@@ -19,11 +19,12 @@ from matplotlib.figure import Figure
 from scipy.integrate import solve_ivp
 
 from benchmarks import timing
-from benchmarks.style import BLUE, FOLDER, GOLD, GREEN, GREY, ORANGE, PINK, STYLE, WIDTH, save
+from benchmarks.style import BLUE, FOLDER, GOLD, GREEN, GREY, ORANGE, PINK, STYLE, WIDTH
 from derive.algebra import Vector
 from derive.codegen.programs.trace import Trace
 from derive.codegen.targets import infix
 from derive.motion_equations import MotionEquation, motion_equation
+from derive.output.files import put_picture
 from tests.support import motions
 
 FILE = FOLDER / "motion_equations.svg"
@@ -122,7 +123,7 @@ def section(tolerances: Sequence[float] = TOLERANCES, end: float = END, picture:
     measured = {name: runs(equation, tolerances, end) for name, equation in EQUATIONS.items()}
     matplotlib.use("Agg")
     with matplotlib.rc_context(STYLE):
-        save(drawn(measured), picture)
+        put_picture(picture, drawn(measured))
     rows = [
         [name, str(EQUATIONS[name].states), *(part for error in ERRORS for part in work(found, error))]
         for name, found in measured.items()

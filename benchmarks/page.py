@@ -14,6 +14,7 @@ from benchmarks.maps import COMPILED, NUMPY, PART
 from benchmarks.peers import LIBRARIES
 from benchmarks.times import CHARTS, Data, commit, label, shown
 from benchmarks.timing import ALLOCATOR, table
+from derive.output.files import put
 
 ORDER = (
     "slower", "maps", "rows", "derivatives", "given", "motion", "propagate", "compiling", "jitted", "recorded", "gates",
@@ -116,7 +117,7 @@ def write_section(path: Path, name: str, text: str) -> None:
     """Replace one section of a page, or add it, with the commit at which it was measured."""
     page = path.read_text(encoding="utf-8") if path.exists() else "# Speed"
     found = sections(page) | {name: f"{text.strip()}\n\nMeasured at commit {commit()}."}
-    path.write_text(joined(found.pop(""), found), encoding="utf-8")
+    put(path, joined(found.pop(""), found))
 
 
 def _mark(name: str) -> str:

@@ -7,6 +7,7 @@ from pathlib import Path
 from benchmarks.maps import COMPILED, COPY, NUMPY, PART
 from benchmarks.peers import load
 from benchmarks.times import CHARTS, ROOT, Data, label
+from derive.output.files import put_picture
 
 FILE = ROOT / "docs" / "benchmarks.svg"
 BLUE, RED = "#2F81C4", "#D5601A"
@@ -31,7 +32,7 @@ def draw(data: Data, path: Path = FILE) -> None:
         return
     from matplotlib import rc_context
 
-    from benchmarks.style import STYLE, WIDTH, save
+    from benchmarks.style import STYLE, WIDTH
 
     with rc_context(STYLE):
         made = figure.Figure(figsize=(WIDTH, 3.8), layout="constrained")
@@ -43,4 +44,4 @@ def draw(data: Data, path: Path = FILE) -> None:
         axes.set(xlabel="N, poses in a call", ylabel="ns per pose", ylim=(1, 2e6))
         axes.grid(alpha=0.25)
         axes.legend(loc="upper right", ncols=2, frameon=False, handlelength=2.5)
-        save(made, path)
+        put_picture(path, made)

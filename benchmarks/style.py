@@ -8,8 +8,6 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from matplotlib.figure import Figure
-
 FOLDER = Path(__file__).parents[1] / "docs" / "figures"
 WIDTH = 8.2
 """Width of a picture in inches: 787 px of the site."""
@@ -22,7 +20,3 @@ STYLE = {
 }  # fmt: skip
 
 
-def save(figure: Figure, path: Path) -> None:
-    """Save a picture without date and version, so that equal data give equal bytes."""
-    path.parent.mkdir(exist_ok=True)
-    figure.savefig(path, metadata={"Date": None, "Creator": None} if path.suffix == ".svg" else None)

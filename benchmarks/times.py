@@ -13,6 +13,7 @@ from pathlib import Path
 
 from benchmarks.peers import LIBRARIES
 from benchmarks.timing import LARGE, Call, measured
+from derive.output.files import put
 
 ROOT = Path(__file__).parents[1]
 FILE, README = ROOT / "docs" / "benchmarks.json", ROOT / "README.md"
@@ -87,7 +88,7 @@ class Data:
         """Write the data, one call a line."""
         calls = ",\n  ".join(json.dumps(asdict(timed), ensure_ascii=False) for timed in self.times)
         text = json.dumps(asdict(self) | {"times": []}, indent=1, ensure_ascii=False)
-        path.write_text(text.replace('"times": []', f'"times": [\n  {calls}\n ]') + "\n", encoding="utf-8")
+        put(path, text.replace('"times": []', f'"times": [\n  {calls}\n ]') + "\n")
 
 
 def read(path: Path = FILE) -> Data:

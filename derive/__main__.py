@@ -9,7 +9,7 @@ import sys
 from .about import __version__
 
 NEEDED = ("click", "flint", "jinja2", "latex2mathml", "mpmath", "pcpp", "pycparser", "rich", "sympy")
-INSTALL = 'pip install "dualcay[derive]"'
+INSTALL = 'pip install ".[derive]"  in the folder of its source'
 INTERRUPTED = 130
 
 

@@ -1,4 +1,4 @@
-"""Worker processes, which end with the main process.
+"""Worker processes, which end with the main process, and limits of processor time.
 
 This module loads only the standard library: a worker must be ready to end before it loads other libraries.
 """
@@ -8,16 +8,21 @@ from __future__ import annotations
 import multiprocessing
 import os
 import signal
+import subprocess
+import sys
 import tempfile
 import threading
 from collections import deque
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from concurrent.futures import Executor, Future, ProcessPoolExecutor, ThreadPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
 from contextlib import contextmanager, suppress
 from functools import partial
 from multiprocessing.connection import Connection
-from typing import TypeVar
+from pathlib import Path
+from typing import Any, TypeVar
+
+from .scratch import scratch
 
 PROCESSES_MAX = 61
 """Largest number of processes in a pool on Windows."""
@@ -85,10 +90,10 @@ def workers(count: int) -> Iterator[ProcessPoolExecutor]:
     context = multiprocessing.get_context("spawn")
     watched, held = context.Pipe(duplex=False)
     with (
-        tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as scratch,
+        scratch() as folder,
         watched,
         held,
-        ProcessPoolExecutor(count, context, _begin, (watched, scratch)) as pool,
+        ProcessPoolExecutor(count, context, _begin, (watched, folder)) as pool,
     ):
         try:
             yield pool
@@ -100,13 +105,51 @@ def workers(count: int) -> Iterator[ProcessPoolExecutor]:
             raise
 
 
-def _begin(watched: Connection, scratch: str) -> None:
+def _begin(watched: Connection, folder: Path) -> None:
     """Prepare a worker to end at any moment; the main process removes its temporary folder."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # a terminal signals all processes; the main process ends the workers
-    tempfile.tempdir = scratch
+    tempfile.tempdir = str(folder)
     threading.Thread(target=_end_with, args=(watched,), daemon=True).start()
 
 
 def _end_with(watched: Connection) -> None:
     watched.poll(None)  # wait until the main process closes its end or dies; it sends nothing
     os._exit(1)
+
+
+# --- limits of processor time -----------------------------------------------------------------------------------------
+
+SECONDS_MAX = 1e9
+"""Longest limit that timers of operating systems take."""
+
+
+class SlowError(Exception):
+    """Error of a program that was stopped at its limit of processor time."""
+
+
+def limit(seconds: float) -> None:
+    """End this process after further seconds of its processor time, even inside a library; 0 lifts the limit.
+
+    Time in which it sleeps, or in which other processes run, does not count. Windows has no such limit.
+    """
+    if sys.platform != "win32":
+        signal.setitimer(signal.ITIMER_PROF, min(seconds, SECONDS_MAX))
+
+
+def stopped(returncode: int | None) -> bool:
+    """Tell whether a process ended at its limit of processor time."""
+    return sys.platform != "win32" and returncode in (-signal.SIGPROF, -signal.SIGXCPU)
+
+
+def run(command: Sequence[str], seconds: int, **options: Any) -> subprocess.CompletedProcess[str]:
+    """Run a program and return what it prints; raise SlowError if it takes more seconds of processor time.
+
+    Each process that the program begins has the same limit. Windows has no such limit.
+    """
+    started = list(command)
+    if sys.platform != "win32":
+        started = ["sh", "-c", f'ulimit -c 0; ulimit -S -t {seconds}; exec "$@"', "sh", *command]
+    done = subprocess.run(started, capture_output=True, text=True, check=False, **options)
+    if stopped(done.returncode):
+        raise SlowError(f"{Path(command[0]).name} was stopped after {seconds} s of processor time")
+    return done

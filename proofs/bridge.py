@@ -5,7 +5,6 @@ from __future__ import annotations
 import argparse
 import re
 import sys
-import tempfile
 import time
 from collections.abc import Iterable, Sequence
 from concurrent.futures import ThreadPoolExecutor
@@ -13,6 +12,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from derive.codegen.signatures import PUBLIC
+from derive.scratch import scratch
 
 from .checker import CLOSED, PROCESSES, Coq, compiled, find
 from .coq_definitions import GEOMETRY
@@ -82,10 +82,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser.add_argument("--numpy", type=Path, default=ROOT / "generated" / "dualcay", help="folder of NumPy kernels")
     parser.add_argument("--c", type=Path, help="folder of C headers; by default they are printed to a temporary folder")
     chosen = parser.parse_args(arguments)
-    with tempfile.TemporaryDirectory() as scratch:
+    with scratch() as folder:
         try:
-            coq = find(Path(scratch) / "proofs")
-            headers = chosen.c or printed(Path(scratch) / "c", ORDERS)
+            coq = find(folder / "proofs")
+            headers = chosen.c or printed(folder / "c", ORDERS)
             list(compiled(coq))
             outcomes = prove_all(chosen.numpy, headers, coq)
         except MachineError as error:

@@ -11,10 +11,11 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
+from .. import workers
 from .statements import FOLDER, CoqTheorem, MachineError, listed
 
 FIRST, LAST = (8, 16), (8, 20)  # versions of Coq that are accepted
-TIME_LIMIT = 240  # seconds for one file, forty times the time of most of them
+SECONDS = 240  # of processor time for one file, forty times that of most of them
 PROCESSES = 2  # runs of Coq or Gappa at once
 CLOSED = "Closed under the global context"  # Coq's words for a theorem without assumptions
 _WANTED = f"Coq {'.'.join(map(str, FIRST))} to {'.'.join(map(str, LAST))}"
@@ -33,11 +34,9 @@ class Coq:
         """Run a program of Coq in the folder of compiled files, with `text` as its input."""
         command = [str(self.programs / program), *arguments, "-Q", ".", "dualcay"]
         try:
-            return subprocess.run(
-                command, cwd=self.build, input=text, capture_output=True, text=True, timeout=TIME_LIMIT, check=False
-            )
-        except subprocess.TimeoutExpired:
-            raise MachineError(f"{program} took longer than {TIME_LIMIT} s: {' '.join(arguments)}") from None
+            return workers.run(command, SECONDS, cwd=self.build, input=text)
+        except workers.SlowError as error:
+            raise MachineError(f"{error}: {' '.join(arguments)}") from None
 
     def compile(self, name: str) -> str:
         """Compile one file and return what it prints; a refusal names file, line and reason."""

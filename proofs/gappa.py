@@ -10,7 +10,6 @@ import math
 import operator
 import re
 import shutil
-import subprocess
 from collections.abc import Iterator, Mapping
 from fractions import Fraction
 from functools import reduce
@@ -19,6 +18,7 @@ from typing import Any
 import numpy as np
 import sympy
 
+from derive import workers
 from derive.maps import Cayley
 from derive.maps.polynomials import x
 
@@ -34,7 +34,7 @@ SLACK = Fraction(102, 100)
 SPLITS = 16
 """Parts of the range of |v|, each bounded alone. Twice as many lower the bounds by a sixth, in twice the time."""
 
-TIME_LIMIT = 300  # seconds for one script, ten times the time of the slowest
+SECONDS = 300  # of processor time for one script, ten times that of the slowest
 
 
 def outputs(program: Transcript) -> tuple[int, ...]:
@@ -127,9 +127,9 @@ def run(text: str) -> tuple[dict[str, Fraction], str]:
     """Run a script; return the bounds that Gappa prints, by step, and its words on unproved claims."""
     command = ["gappa", "-Edichotomy=0", "-Wno-null-denominator"]
     try:
-        done = subprocess.run(command, input=text, capture_output=True, text=True, timeout=TIME_LIMIT, check=False)
-    except subprocess.TimeoutExpired:
-        return {}, f"Gappa took longer than {TIME_LIMIT} s"
+        done = workers.run(command, SECONDS, input=text)
+    except workers.SlowError as error:
+        return {}, str(error)
     printed = done.stdout + done.stderr
     _, failed, unproved = printed.partition("Error: some properties were not satisfied:")
     if done.returncode and not failed:

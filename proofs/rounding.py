@@ -9,7 +9,6 @@ from __future__ import annotations
 import argparse
 import json
 import sys
-import tempfile
 import time
 from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
@@ -21,6 +20,8 @@ from pathlib import Path
 import mpmath
 import numpy as np
 
+from ..output import facts, files
+from ..scratch import scratch
 from .checker import PROCESSES
 from .coq_definitions import GEOMETRY, V
 from .emitted import CHeader, printed
@@ -153,17 +154,19 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser.add_argument("-o", "--output", type=Path, help="file of bounds to write")
     parser.add_argument("--check", type=Path, metavar="FILE", help="certify the bounds of a file instead")
     options = parser.parse_args(arguments)
-    with tempfile.TemporaryDirectory() as scratch:
+    if not facts.writable(options.output):
+        return 3
+    with scratch() as folder:
         try:
             known = load(options.check) if options.check else ()
             require()
-            bounds = every(options.c or printed(Path(scratch), ORDERS), known)
+            bounds = every(options.c or printed(folder, ORDERS), known)
         except MachineError as error:
             print(f"error: {error}", file=sys.stderr)
             return error.code
     if options.output:
         lines = ",\n".join(json.dumps(asdict(each)) for each in bounds)
-        options.output.write_text(f"[\n{lines}\n]\n", encoding="utf-8")
+        files.put(options.output, f"[\n{lines}\n]\n")
     return 0
 
 

@@ -17,8 +17,8 @@ pytestmark = pytest.mark.smoke
 
 ORDER = {
     "derive": (
-        "about", "workers", "output", "algebra", "claims", "maps", "motion_equations", "proof", "papers", "codegen",
-        "pages", "front", "cli", "__main__",
+        "about", "scratch", "workers", "output", "algebra", "claims", "maps", "motion_equations", "proof", "papers",
+        "codegen", "pages", "front", "cli", "__main__",
     ),
     "derive.claims": (
         "numbers", "language", "equation", "result", "deciding", "decide", "transcript", "sheet", "run", "report",
@@ -93,7 +93,7 @@ def test_kernels_import_numpy_and_the_standard_library_only():
 
 
 def test_the_entry_point_needs_the_standard_library_only():
-    for name in ("__init__.py", "__main__.py", "about.py", "workers.py"):
+    for name in ("__init__.py", "__main__.py", "about.py", "scratch.py", "workers.py"):
         outside = {module[0] for module in imported(ROOT / "derive" / name)}
         assert outside <= sys.stdlib_module_names | {"derive"}
 
@@ -113,6 +113,86 @@ def test_no_templates_import_or_compute():
         text = path.read_text(encoding="utf-8")
         assert "namespace(" not in text
         assert "{% set" not in text, f"{path} computes"
+
+
+# --- clocks -----------------------------------------------------------------------------------------------------------
+
+CLOCKS = {"monotonic", "monotonic_ns", "perf_counter", "perf_counter_ns", "time.time", "Timer", "ITIMER_REAL", "alarm"}
+"""Clocks that go on while a process waits for a processor; `process_time` stands still."""
+
+WAITS = {"wait", "join", "communicate", "result", "acquire", "poll"}
+"""Methods whose number is a time limit."""
+
+SHOWN = {
+    "derive/cli/display.py", "derive/output/progress.py", "derive/proof/identity.py", "derive/machine/__main__.py",
+    "derive/machine/bridge.py", "derive/machine/checker.py", "derive/machine/rounding.py",
+    "examples/inverse_kinematics_jax.py", "tests/derive/output/test_progress.py",
+}  # fmt: skip
+"""Files that show how long something takes."""
+
+
+def timed(text: str) -> list[str]:
+    """Return the clocks that a program reads and the time limits that it sets."""
+    found = []
+    for node in ast.walk(ast.parse(text)):
+        if isinstance(node, ast.Attribute | ast.Name):
+            name = ast.unparse(node)
+            found += [name] if CLOCKS & {name, name.rpartition(".")[2]} else []
+        elif isinstance(node, ast.ImportFrom) and node.module in ("time", "signal", "threading"):
+            found += [name.name for name in node.names if {name.name, f"time.{name.name}"} & CLOCKS]
+        elif isinstance(node, ast.keyword) and node.arg and {"timeout", "deadline"} & {*node.arg.split("_")}:
+            found += [ast.unparse(node)] if getattr(node.value, "value", node) is not None else []
+        elif isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute) and node.func.attr in WAITS:
+            found += [ast.unparse(node) for given in node.args if isinstance(getattr(given, "value", ""), int | float)]
+    return found
+
+
+@pytest.mark.parametrize("room", ["derive", "docs", "examples", "generated", "templates", "tests", "tools"])
+def test_nothing_is_decided_by_a_clock(room: str):
+    for path in sorted((ROOT / room).rglob("*.py")):
+        if path.relative_to(ROOT).as_posix() not in SHOWN:
+            assert (path, timed(path.read_text(encoding="utf-8"))) == (path, [])
+    for path in sorted((ROOT / room).rglob("*.md")):
+        assert not re.search(r"\b(monotonic|perf_counter|time\.time|timeout=)", path.read_text(encoding="utf-8")), path
+
+
+@pytest.mark.parametrize(
+    "text",
+    ["run(c, timeout=60)", "p.wait(60)", "q.get(timeout=T)", "t.join(5.0)", "from time import monotonic", "time.time()",
+     "settings(deadline=200)", "time.perf_counter() - begun < 5", "threading.Timer(3, end)", "a.b_timeout(timeout_s=3)",
+     "signal.setitimer(signal.ITIMER_REAL, 1)"],
+)  # fmt: skip
+def test_clocks_and_time_limits_are_found(text: str):
+    assert timed(text)
+    assert not timed("p.wait(); settings(deadline=None); run(timeout=None); time.process_time(); found.get(2, 3)[0]")
+
+
+# --- files ------------------------------------------------------------------------------------------------------------
+
+WRITERS = {"write_text", "write_bytes", "savefig"}
+"""Calls that leave half a file if they are killed; `put` and `put_picture` replace files whole."""
+
+FOLDERS = {"TemporaryDirectory", "NamedTemporaryFile", "mkdtemp", "mkstemp"}
+"""Calls whose folders stay if they are killed; the next run removes those of `scratch`."""
+
+OWN = {
+    "derive/scratch.py": FOLDERS, "derive/output/exchange.py": WRITERS, "derive/output/files.py": {"savefig"},
+    # inputs of other programs
+    "derive/machine/bridge.py": WRITERS, "derive/machine/checker.py": WRITERS, "derive/pages/sheet_files.py": WRITERS,
+    "benchmarks/c_form.py": WRITERS, "benchmarks/flight.py": WRITERS,
+}  # fmt: skip
+"""Files that may call some of these."""
+
+
+@pytest.mark.parametrize("room", ["derive", "docs", "benchmarks"])
+def test_files_are_replaced_whole_and_temporary_folders_are_swept(room: str):
+    refused = WRITERS | FOLDERS if room == "derive" else WRITERS
+    for path in sorted((ROOT / room).rglob("*.py")):
+        name = path.relative_to(ROOT).as_posix()
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            called = ast.unparse(node.func).rpartition(".")[2] if isinstance(node, ast.Call) else ""
+            assert called not in refused - OWN.get(name, set()), f"{name}:{node.lineno} calls {called}"
+            assert called != "open" or not re.search("['\"][wax]", ast.unparse(node)), f"{name}:{node.lineno} opens"
 
 
 # --- smoke tests ------------------------------------------------------------------------------------------------------

@@ -2,7 +2,12 @@
 
 from __future__ import annotations
 
+import json
+import os
 import re
+import subprocess
+import sys
+from collections import Counter
 from pathlib import Path
 
 import pytest
@@ -12,6 +17,8 @@ from benchmarks import times
 from derive.about import __version__
 from derive.codegen.targets import TARGETS
 from derive.papers import PAPERS
+from derive.proof.identity import ALL_ORDERS
+from derive.proof.phi_theorems import SCOPE
 from docs.pages.field_facts import COLLECTIONS
 from tests.support import pages
 
@@ -32,9 +39,10 @@ def measured() -> dict[str, tuple[str, ...]]:
     """Return the figures of the pages, by row of the README."""
     accuracy = re.search(r"`exponential` is off by at most, in eps: Q ([\d.]+), ρ ([\d.]+)", read("docs/accuracy.md"))
     assert accuracy is not None
-    theorems = read("docs/theorems.md")
-    general = theorems.partition("\n## For every order\n")[2].partition("\n## ")[0]
-    controls = sum(map(int, re.findall(r"^- controls: (\d+)$", theorems, re.M)))
+    theorems = json.loads(read("docs/theorems.json"))["theorems"]
+    scopes = Counter(theorem["scope"] for theorem in theorems)
+    of_scope = (scopes.pop(ALL_ORDERS), scopes.pop(SCOPE), scopes.total())
+    controls = sum(theorem["controls"] for theorem in theorems)
     counts = re.findall(r"^\| \w+ \| (\d+) \| \d+ \| \d+ \| \d+ \| (\d+) \|$", read("docs/errata.md"), re.M)
     errata, entries = (sum(map(int, column)) for column in zip(*counts, strict=True))
     in_use = read("docs/field.md")
@@ -43,7 +51,7 @@ def measured() -> dict[str, tuple[str, ...]]:
     return {
         "speed": (*numbers(speed.figures(times.read())),),
         "accuracy": accuracy.groups(),
-        "proofs": (str(general.count("\n<details>")), str(controls)),
+        "proofs": (*map(str, of_scope), str(controls)),
         "papers": (str(entries), str(errata)),
         "formulas in use": (field[0], str(len(documents)), field[1]),
     }
@@ -52,6 +60,38 @@ def measured() -> dict[str, tuple[str, ...]]:
 @pytest.mark.parametrize("row", ["speed", "accuracy", "proofs", "papers", "formulas in use"])
 def test_figures_agree_with_the_pages(row: str) -> None:
     assert numbers(ROWS[row]) == [*measured()[row]]
+
+
+NUMPY_ALONE = """
+import doctest, sys
+class Refuse:
+    def find_spec(self, name, *where):
+        if name.partition(".")[0] not in {"numpy", "dualcay", *sys.stdlib_module_names}:
+            raise ImportError("not installed: " + name)
+sys.meta_path.insert(0, Refuse())
+session = sys.stdin.read().partition("```python\\n")[2].partition("```")[0]
+sys.exit(doctest.DocTestRunner().run(doctest.DocTestParser().get_doctest(session, {}, "session", None, 0)).failed)
+"""
+
+
+def test_session_needs_what_the_line_before_installs() -> None:
+    done = subprocess.run(
+        [sys.executable, "-c", NUMPY_ALONE], env={**os.environ, "PYTHONPATH": str(ROOT / "generated")},
+        input=read("README.md"), capture_output=True, encoding="utf-8", check=False,
+    )  # fmt: skip
+    assert (done.returncode, done.stdout + done.stderr) == (0, "")
+
+
+FROM_INDEX = re.compile(r"pip install [^\n#`]*?(?<![\w/-])dualcay(?![\w-])")
+
+
+def test_nothing_is_told_to_install_that_no_index_has() -> None:
+    for told in ('"dualcay[derive]"', "'dualcay'", "numpy dualcay", "-U dualcay>=0.1"):
+        assert FROM_INDEX.search(f"pip install {told}")
+    for room in ("README.md", "CONTRIBUTING.md", "derive", "docs", "examples", "generated", "templates"):
+        for file in [ROOT / room, *sorted((ROOT / room).rglob("*"))]:
+            if file.suffix in (".md", ".py", ".j2", ".rst"):
+                assert (file, FROM_INDEX.findall(file.read_text(encoding="utf-8"))) == (file, [])
 
 
 def test_assurance_page_has_a_row_for_every_target() -> None:

@@ -12,6 +12,7 @@ from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
 
 from benchmarks.accuracy import certified, figures, measure, report, worst
+from derive.output.files import put
 from tests.support import cases, kernels, sampling
 
 DOCS = Path(__file__).parents[2] / "docs"
@@ -56,23 +57,22 @@ def main(seconds: float, figures_only: bool, bounds_only: bool) -> None:
     """Write docs/accuracy.md with .json, its figures and benchmarks/worst_cases.json."""
     page = DOCS / "accuracy.md"
     if bounds_only:
-        page.write_text(certified.renewed(page.read_text(encoding="utf-8")), encoding="utf-8")
+        put(page, certified.renewed(page.read_text(encoding="utf-8")))
         return
     console = Console()
     with tempfile.TemporaryDirectory() as name, progress(console) as bar:
         folder = Path(name)
         kernels.write(measure.ORDERS, folder)
-        DOCS.mkdir(exist_ok=True)
         drawn = figures.draw(DOCS, bar, console)
         if figures_only:
-            page.write_text(report.beside(page.read_text(encoding="utf-8"), drawn), encoding="utf-8")
+            put(page, report.beside(page.read_text(encoding="utf-8"), drawn))
             return
         if seconds:
             search(folder, seconds, bar)
         found = measurements(folder, bar)
     text = report.page(found, drawn)
-    page.write_text(text, encoding="utf-8")
-    page.with_suffix(".json").write_text(worst.data(text), encoding="utf-8")
+    put(page, text)
+    put(page.with_suffix(".json"), worst.data(text))
     for line in report.verdict(found):
         console.print(line, highlight=False)
 

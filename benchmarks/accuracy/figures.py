@@ -13,7 +13,8 @@ from rich.console import Console
 from rich.progress import Progress
 
 from benchmarks.accuracy import curves, peers
-from benchmarks.style import STYLE, WIDTH, save
+from benchmarks.style import STYLE, WIDTH
+from derive.output.files import put_picture
 
 FLOOR = 1e-2  # smallest error drawn; smaller ones are drawn here
 
@@ -122,7 +123,7 @@ def picture(found: curves.Curves, what: Picture, path: Path) -> None:
     names = [f"dualcay, {label}" if is_ours(label) else label for label in order]
     lines = [handles[label] for label in order]
     figure.legend(lines, names, loc="outside lower center", ncols=4, frameon=False, handlelength=3.2)
-    save(figure, path)
+    put_picture(path, figure)
 
 
 def missing(console: Console) -> None:

@@ -1,7 +1,7 @@
-"""Decision of claims in worker processes, each within a time limit.
+"""Decision of claims in worker processes, each within a limit of processor time.
 
 A worker reads requests from its standard input: what makes a sheet, and the place of an equation in it. Exact
-polynomials may take long inside one call of a library, so a worker that exceeds the limit is killed and replaced.
+polynomials may take long inside one call of a library, so a worker that exceeds the limit ends and is replaced.
 """
 
 from __future__ import annotations
@@ -19,13 +19,14 @@ from typing import Any
 
 from ..output.listing import Listing
 from ..output.progress import bar, no_op
-from ..workers import cores
+from ..workers import cores, limit, stopped
 from .equation import Entry, UndecidedError
 from .result import Result, Status, Verdict
 from .sheet import Sheet, claim_alone
 
 SECONDS = 60.0
-"""Time limit of an equation."""
+"""Processor time that an equation may take."""
+
 
 def decide_each(
     items: Sequence[tuple[Sheet, int]], seconds: float = SECONDS, step: Callable[[str], None] = lambda line: None
@@ -52,7 +53,7 @@ def decide_each(
                     done.put(error)
                     return
 
-    crew = [_Worker() for _ in range(min(cores(), len(items)))]
+    crew = [_Worker(stop) for _ in range(min(cores(), len(items)))]
     threads = [threading.Thread(target=work, args=(worker,), daemon=True) for worker in crew]
     for thread in threads:
         thread.start()
@@ -68,7 +69,7 @@ def decide_each(
         for worker in crew:
             worker.kill()
         for thread in threads:
-            thread.join(JOIN)
+            thread.join()
     return [result for result in results if result is not None]
 
 
@@ -82,7 +83,7 @@ def check(claim: str, /, *, domain: str = "", seconds: float = SECONDS, **letter
     domain : str, optional
         Relation that states where the claim is said to hold.
     seconds : float, optional
-        Time limit; a slower claim is undecided.
+        Processor time that the claim may take; a slower one is undecided. Windows has no such limit.
     **letters : str
         Kind of each letter, such as ``v="vector"`` or ``n="unit vector"``.
 
@@ -126,7 +127,8 @@ JOIN = 5.0
 class _Worker:
     """Process that decides one entry at a time; after its death a new one begins."""
 
-    def __init__(self) -> None:
+    def __init__(self, stop: threading.Event) -> None:
+        self.stop = stop
         self.process: subprocess.Popen[bytes] | None = None
 
     def __enter__(self) -> _Worker:
@@ -145,7 +147,7 @@ class _Worker:
             self.process.kill()
 
     def decide(self, sheet: Sheet, place: int, seconds: float) -> Result:
-        """Return the result of an entry; one found before the worker died or was late is kept, else it is undecided."""
+        """Return the result of an entry; one found before the worker died or was slow is kept, else it is undecided."""
         own: dict[str, Any] = {}
         if self.process is None:
             paths = os.pathsep.join(path or os.getcwd() for path in sys.path)
@@ -154,32 +156,25 @@ class _Worker:
                 stdin=subprocess.PIPE, stdout=subprocess.PIPE, env={**os.environ, "PYTHONPATH": paths},
             )  # fmt: skip
             assert self.process.stdout is not None
+            if self.stop.is_set():
+                self.kill()
             with suppress(EOFError):
                 pickle.load(self.process.stdout)  # it is ready; loading does not count as time of an equation
         process, slug, entry = self.process, sheet.slug, sheet.entries()[place]
         assert process.stdin is not None
         assert process.stdout is not None
-        late = threading.Event()
-
-        def end() -> None:
-            late.set()
-            process.kill()
-
-        timer = threading.Timer(seconds, end)
         try:
-            pickle.dump((sheet.request, place), process.stdin)
+            pickle.dump((sheet.request, place, seconds), process.stdin)
             process.stdin.flush()
-            timer.start()
             final = False
             while not final:
                 final, own = pickle.load(process.stdout)
         except (EOFError, OSError, pickle.UnpicklingError):
             self.__exit__()
-            reason = f"not decided within {seconds:g} s" if late.is_set() else "the process that decided it died"
             if not own:
+                late = stopped(process.returncode)
+                reason = f"not decided within {seconds:g} s of processor time" if late else "its process died"
                 return undecided(slug, entry, reason)
-        finally:
-            timer.cancel()
         return Result(slug, entry, **own)
 
 
@@ -216,7 +211,8 @@ def _serve() -> None:
     answers.flush()
     threading.Thread(target=_receive, args=(requests,), daemon=True).start()
     while True:
-        request, place = requests.get()
+        request, place, seconds = requests.get()
+        limit(seconds)
         sheet = sheets.setdefault(repr(request), Sheet.made(request))
         slug, entry = sheet.slug, sheet.entries()[place]
 
@@ -231,5 +227,6 @@ def _serve() -> None:
             result = undecided(slug, entry, str(error))
         except Exception as error:
             result = undecided(slug, entry, f"it cannot be evaluated: {type(error).__name__}: {error}")
+        limit(0)
         answer(result, True)
 

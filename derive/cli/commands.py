@@ -130,7 +130,7 @@ def list_catalogue() -> None:
 @click.option("--let", "letters", metavar="NAME=KIND", multiple=True, help="Kind of a letter, e.g. R=rotation.")
 @click.option("--domain", metavar="TEXT", help="Domain of --claim, e.g. 'norm(v) != 0'.")
 @click.option("--seconds", type=click.FloatRange(min=0, min_open=True), default=60.0, show_default=True,
-              help="Time limit of each equation of a file.")  # fmt: skip
+              help="Processor time that each equation of a file may take.")  # fmt: skip
 @click.option("--eq", "equations", metavar="NAMES", help="Numbers or slugs, e.g. 88,111; all by default.")
 @orders("Orders at which statements about n are executed and the formulas proved, e.g. 1-8.")
 @form(about.FORMATS, "How the report is written.")

@@ -16,6 +16,8 @@ def compare(
 ) -> None:
     """Run the command; parameters are its options."""
     options.require_cap(orders, max_n)
+    if plot is not None:
+        _require_plot(plot)
     with options.refusals("--family"):
         chosen = comparison.charts(orders, families, phi)
         with display.progress(len(chosen)) as step:
@@ -24,7 +26,16 @@ def compare(
     for refusal in filter(None, (row.refusal for row in rows)):
         click.echo(f"dualcay: {refusal}", err=True)
     if plot is not None:
-        try:
-            draw(rows, plot)
-        except ImportError:
-            raise click.UsageError("--plot needs matplotlib: pip install 'dualcay[bench]'") from None
+        draw(rows, plot)
+
+
+def _require_plot(file: Path) -> None:
+    """Raise an error if a plot cannot be drawn or written, before any work."""
+    try:
+        from matplotlib.backend_bases import FigureCanvasBase
+    except ImportError:
+        raise click.UsageError("--plot needs matplotlib: pip install matplotlib") from None
+    endings = FigureCanvasBase.get_supported_filetypes()
+    if file.suffix[1:].lower() not in endings:
+        raise click.BadParameter(f"expected an ending out of {', '.join(endings)}, got {file.name!r}")
+    options.require_writable(file)

@@ -86,6 +86,14 @@ class Place(click.Path):
         return place
 
 
+def require_writable(*places: Path | None) -> None:
+    """Raise RefusedError if one of the files to write cannot be written, before any work."""
+    from ..output.files import refuse
+
+    for place in filter(None, places):
+        refuse(place.parent, {place.name: ""}, force=True)
+
+
 max_n = click.option(
     "--max-n",
     default=about.MAX_ORDER,

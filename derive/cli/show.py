@@ -28,6 +28,7 @@ def show(
         write = WRITERS.get(output.suffix) if output and form == "text" and not chosen else None
         if output is None or write is None:
             raise click.UsageError(f"the sheet needs -o with an ending {' or '.join(WRITERS)}, no chart, no --format")
+        options.require_writable(output)
         write(output)
         return
     if output is not None:

@@ -44,6 +44,8 @@ def verify(
         raise click.UsageError("-n belongs to the papers: in a file, n is a letter of the kind order")
     if (check or beside) and output is None:
         raise click.UsageError(f"{'--check' if check else '--data'} needs the file that -o names")
+    if not check:
+        options.require_writable(output, output.with_suffix(".json") if output and beside else None)
     papers, stale = [p for p in PAPERS if paper in (None, p.slug)], []
     if sheets or claim is not None:
         read = [_loaded(name) for name in sheets] or [_single(claim or "", letters, domain or "")]

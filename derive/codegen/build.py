@@ -6,7 +6,6 @@ Each stage is a function from one frozen record to the next: chart, `Proved`, `L
 from __future__ import annotations
 
 import gc
-import tempfile
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
@@ -19,6 +18,7 @@ from ..maps.chart import Chart
 from ..output import files
 from ..output.progress import Progress, Step, silent
 from ..proof import prove
+from ..scratch import scratch
 from ..workers import mapping
 from .lowered import Lowered, lower
 from .package import Counts, Facts, Module, Package, module_name, module_texts, shared_texts
@@ -64,11 +64,11 @@ def build(charts: Sequence[Chart], target: Target, progress: Progress = silent, 
     built = charts if geometry in charts else [geometry, *charts]
     with (
         relaxed_gc(),
-        tempfile.TemporaryDirectory() as name,
+        scratch() as folder,
         mapping(check, processes) as results,
         progress(4 * len(built)) as report,
     ):
-        folder, shared = Path(name), shared_texts(target)
+        shared = shared_texts(target)
         files.write(folder, shared)
         proved = map(prove, announced(built, "proving", report))
         lowered = map(lower, proved)

@@ -25,7 +25,7 @@ from .programs.program import Call, Program
 from .rows import Table
 from .signatures import POSES, ROTATIONS
 
-PRINTED_DIGITS = 40  # decimal digits of printed constants: enough for longdouble, and for validation at 30 digits
+PRINTED_DIGITS = 60  # decimal digits of printed constants: enough for C++ classes of 50 digits
 WIDTH = 110  # largest number of characters in a comment line
 LETTERS_MAX = 600
 """Largest total length of the polynomials in a header; longer ones are replaced by the command that shows them."""

@@ -41,7 +41,12 @@ def locked(folder: Path) -> Iterator[None]:
         os.close(handle)
 
 
-def exchange(folder: Path, texts: Mapping[str, str], notices: Mapping[str, str]) -> None:
+def encoded(content: str | bytes) -> bytes:
+    """Return the bytes of a file."""
+    return content.encode("utf-8") if isinstance(content, str) else content
+
+
+def exchange(folder: Path, texts: Mapping[str, str | bytes], notices: Mapping[str, str]) -> None:
     """Replace files of a locked folder; ``notices`` are temporary texts of some files until all others are in place."""
     body = {name: text for name, text in texts.items() if name not in notices}
     staged = folder / STAGED
@@ -50,7 +55,7 @@ def exchange(folder: Path, texts: Mapping[str, str], notices: Mapping[str, str])
             for name, text in files.items():
                 path = staged / str(step) / name
                 path.parent.mkdir(parents=True, exist_ok=True)
-                path.write_text(text, encoding="utf-8", newline="\n")
+                path.write_bytes(encoded(text))
         staged.rename(folder / READY)
     except BaseException:
         shutil.rmtree(staged, ignore_errors=True)

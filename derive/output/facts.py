@@ -41,6 +41,17 @@ def stale(output: Path, texts: Mapping[str, str]) -> list[files.Difference]:
     return [found for found in files.compare(output.parent, texts) if found.path in known]
 
 
+def writable(output: Path | None) -> bool:
+    """Tell whether a page and its facts can be written, if a page is named; say on stderr why not."""
+    try:
+        if output is not None:
+            files.refuse(output.parent, beside(output, "", ""), force=True)
+    except files.RefusedError as error:
+        print(f"error: {error}", file=sys.stderr)
+        return False
+    return True
+
+
 def deliver(output: Path, texts: Mapping[str, str], check: bool, module: str) -> int:
     """Write a page and its facts, or compare them; the exit code is 1 if a file is stale."""
     if not check:

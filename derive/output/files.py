@@ -1,15 +1,18 @@
-"""Write generated texts to disk, all or none, or compare the texts with the files on disk."""
+"""Write generated files to disk, all or none, or compare them with the files on disk."""
 
 from __future__ import annotations
 
 import difflib
+import io
 import os
 import re
+import tempfile
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path, PurePosixPath
+from typing import Any
 
-from .exchange import LEFTOVERS, READY, exchange, finish, locked
+from .exchange import LEFTOVERS, READY, encoded, exchange, finish, locked
 
 MARK = re.compile(r"\S{1,2} (python -m derive generate\b.*)")
 """First line of every generated file: a comment with the command that makes it."""
@@ -48,15 +51,35 @@ def _target(command: str | None) -> str | None:
     return found[1] if (found := re.search(r" --target (\S+)", command or "")) else None
 
 
-def _read(path: Path) -> str | None:
+def _bytes(path: Path) -> bytes | None:
     try:
-        return path.read_bytes().decode("utf-8")
-    except (FileNotFoundError, NotADirectoryError, IsADirectoryError, UnicodeDecodeError):
+        return path.read_bytes()
+    except (FileNotFoundError, NotADirectoryError, IsADirectoryError):
         return None
 
 
+def _read(path: Path) -> str | None:
+    found = _bytes(path)
+    try:
+        return None if found is None else found.decode("utf-8")
+    except UnicodeDecodeError:
+        return None
+
+
+def put(file: Path, content: str | bytes) -> None:
+    """Write a file whole: a process killed at any moment leaves the old one or the new one."""
+    write(file.parent, {file.name: content}, force=True)
+
+
+def put_picture(file: Path, figure: Any) -> None:
+    """Write a picture of Matplotlib whole, without date and version, so that equal data give equal bytes."""
+    drawn, form = io.BytesIO(), file.suffix[1:].lower()
+    figure.savefig(drawn, format=form, metadata={"Date": None, "Creator": None} if form == "svg" else None)
+    put(file, drawn.getvalue())
+
+
 def write(
-    folder: Path, texts: Mapping[str, str], force: bool = False, notices: Mapping[str, str] | None = None
+    folder: Path, texts: Mapping[str, str | bytes], force: bool = False, notices: Mapping[str, str] | None = None
 ) -> list[Path]:
     """Write files into a folder, all or none, and return the changed ones; other files stay.
 
@@ -71,7 +94,7 @@ def write(
         with locked(folder):
             finish(folder)
             refuse(folder, texts, force)
-            changed = [name for name, text in texts.items() if _read(folder / name) != text]
+            changed = [name for name, text in texts.items() if _bytes(folder / name) != encoded(text)]
             if changed:
                 names = dict.fromkeys((*changed, *(notices or ())))
                 exchange(folder, {name: texts[name] for name in names}, notices or {})
@@ -81,16 +104,19 @@ def write(
     return [folder / name for name in changed]
 
 
-def refuse(folder: Path, texts: Mapping[str, str], force: bool = False) -> None:
-    """Raise RefusedError if texts may not be written into a folder.
+def refuse(folder: Path, texts: Mapping[str, str | bytes], force: bool = False) -> None:
+    """Raise RefusedError if files may not, or cannot, be written into a folder.
 
-    A file in the way must be a generated one, unless forced. No folder may be in the way, and none within may be a
-    link. No name may differ from one that is there in case only. The folder may not contain kernels of another target.
+    A file in the way must be a generated one, unless forced. No folder or device may be in the way, and no folder
+    within may be a link. No name may differ from one that is there in case only. The folder may not contain kernels of
+    another target.
     """
     if not folder.is_dir():
         if file := not_a_folder(folder):
             raise RefusedError(f"cannot write {folder}: {file} is no folder")
+        _try(folder)
         return
+    _try(folder)
     _refuse_links(folder, texts)
     paths = [folder / name for name in texts]
     parents = _folders(folder, texts) | {folder}
@@ -105,7 +131,9 @@ def refuse(folder: Path, texts: Mapping[str, str], force: bool = False) -> None:
     if foreign and not force:
         names = ", ".join(map(str, foreign))
         raise RefusedError(f"not a generated file, so not overwritten: {names} (--force overwrites)")
-    given = {target for text in texts.values() if (target := _target(_command(text)))}
+    if devices := [path for path in paths if path.exists() and not path.is_file()]:
+        raise RefusedError(f"not a file, so not replaced: {', '.join(map(str, devices))}")
+    given = {target for text in texts.values() if isinstance(text, str) and (target := _target(_command(text)))}
     for path in sorted(folder.iterdir()) if given else ():
         found = _target(header_command(path))
         if found and found not in given:
@@ -113,6 +141,15 @@ def refuse(folder: Path, texts: Mapping[str, str], force: bool = False) -> None:
                 f"{folder} holds kernels of the target {found} ({path.name}), and a folder holds those of one: "
                 f"write those of {', '.join(sorted(given))} into another (-o), or remove the others first"
             )
+
+
+def _try(folder: Path) -> None:
+    """Make a file for a moment in a folder, or in the nearest one above; raise RefusedError if that fails."""
+    there = next(part for part in (folder, *folder.absolute().parents) if part.is_dir())
+    try:
+        tempfile.TemporaryFile(dir=there).close()
+    except OSError as error:
+        raise RefusedError(f"cannot write {folder}: {there}: {error.strerror}") from error
 
 
 def not_a_folder(path: Path) -> Path | None:
@@ -126,11 +163,11 @@ def _folded(path: Path) -> Path:
     return path.with_name(path.name.lower())
 
 
-def _folders(folder: Path, texts: Mapping[str, str]) -> set[Path]:
+def _folders(folder: Path, texts: Mapping[str, str | bytes]) -> set[Path]:
     return {folder / parent for name in texts for parent in PurePosixPath(name).parents} - {folder}
 
 
-def _refuse_links(folder: Path, texts: Mapping[str, str]) -> None:
+def _refuse_links(folder: Path, texts: Mapping[str, str | bytes]) -> None:
     """Raise RefusedError if a link would lead out of a folder."""
     within = _folders(folder, texts) | {folder / name for name in LEFTOVERS}
     if links := sorted(path for path in within if path.is_symlink()):

@@ -12,6 +12,7 @@ from typing import TypeAlias
 import sympy
 
 from ..output import render
+from ..output.files import put_picture
 from ..output.tables import columns, figures
 from .comparison import ANGLES, COUNTED, MEASURED, TIMED, Compared, number
 from .stretch import POINTS, Stretch, best, bound, stretch
@@ -137,7 +138,7 @@ def draw(compared: Sequence[Compared], file: Path) -> None:
         axis.set_xlabel("α")
     figure.legend(*axes[0, 0].get_legend_handles_labels(), loc="outside lower center", ncols=5, frameon=False)
     with matplotlib.rc_context({"svg.hashsalt": "dualcay"}):  # equal data give equal bytes
-        figure.savefig(file, metadata={"Date": None, "Creator": None} if file.suffix == ".svg" else None)
+        put_picture(file, figure)
     pyplot.close(figure)
 
 

@@ -8,10 +8,8 @@ from __future__ import annotations
 import math
 import random
 import sys
-import tempfile
 from collections.abc import Iterator, Mapping
 from functools import partial
-from pathlib import Path
 from timeit import repeat
 from types import ModuleType
 from typing import Any
@@ -33,6 +31,7 @@ from ..codegen.validation.screws import covering
 from ..codegen.validation.vectors import Vectors, flat, vectors_of
 from ..maps.chart import Chart
 from ..output import files
+from ..scratch import scratch
 
 SEED, SAMPLES = 11, 4
 SIZES = (1, 10_000)
@@ -44,9 +43,9 @@ SECONDS, ROUNDS = 0.02, 5
 def measure(chart: Chart, angles: Mapping[str, float], functions: tuple[str, ...], timed: tuple[str, ...]) -> Any:
     """Return ``errors`` by function and angle, and ``nanoseconds`` by function and number of poses."""
     target = TARGETS[about.TARGET]
-    with tempfile.TemporaryDirectory() as name:
-        files.write(Path(name), print_package([chart], target).texts)
-        with loaded(Path(name)) as package:
+    with scratch() as folder:
+        files.write(folder, print_package([chart], target).texts)
+        with loaded(folder) as package:
             kernels = module_of(package, chart, POSES)
             errors: dict[str, dict[str, float]] = {function: {} for function in functions}
             for label, angle in angles.items():

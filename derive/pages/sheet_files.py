@@ -5,8 +5,6 @@ from __future__ import annotations
 import os
 import re
 import shutil
-import subprocess
-import tempfile
 import unicodedata
 from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
@@ -14,12 +12,14 @@ from pathlib import Path
 from .. import about
 from ..output import files
 from ..output.templates import render
+from ..scratch import scratch
+from ..workers import SlowError, run
 from .sheet import sheet
 
 BROWSERS = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "chrome")
 FLAGS = ("--headless", "--no-sandbox", "--disable-gpu", "--no-first-run", "--no-pdf-header-footer")
-TIMEOUT = 120
-"""Seconds after which a browser is stopped."""
+SECONDS = 120
+"""Processor time that a browser may take."""
 
 SIGN = re.compile(r" (?=(?:[=+-]|\\in) )")
 """Place before a sign, where a formula may go on in the next row."""
@@ -60,7 +60,7 @@ def pieces(latex: str) -> Iterator[str]:
 
 def write_html(output: Path) -> None:
     """Write the sheet as HTML."""
-    files.write(output.parent, {output.name: page()}, force=True)
+    files.put(output, page())
 
 
 def find_browser() -> str | None:
@@ -77,18 +77,17 @@ def write_pdf(output: Path) -> None:
             f"write {output.with_suffix('.html')}, and print it with any browser"
         )
     text = page()
-    output.parent.mkdir(parents=True, exist_ok=True)
-    with tempfile.TemporaryDirectory(dir=output.parent.resolve()) as folder:
-        source, printed = Path(folder, "sheet.html"), Path(folder, "sheet.pdf")
+    with scratch() as folder:
+        source, printed = folder / "sheet.html", folder / "sheet.pdf"
         source.write_text(text, encoding="utf-8")
         command = [browser, *FLAGS, f"--user-data-dir={folder}/profile", f"--print-to-pdf={printed}", source.as_uri()]
         try:
-            reason = subprocess.run(command, capture_output=True, text=True, timeout=TIMEOUT, check=False).stderr[-500:]
-        except subprocess.TimeoutExpired:
-            reason = f"it was stopped after {TIMEOUT} s"
+            reason = run(command, SECONDS).stderr[-500:]
+        except SlowError as error:
+            reason = str(error)
         if not printed.is_file():
             raise files.RefusedError(f"cannot write {output}: {browser} printed nothing: {reason}")
-        printed.replace(output)
+        files.put(output, printed.read_bytes())
 
 
 WRITERS: Mapping[str, Callable[[Path], None]] = {".html": write_html, ".pdf": write_pdf}

@@ -75,7 +75,7 @@ def verify(
         Function called with (done, total) after each equation. Without one, a terminal or a notebook shows a progress
         bar after two seconds.
     seconds : float, optional
-        Time limit for an equation of a file; a slower one is undecided.
+        Processor time that an equation of a file may take; a slower one is undecided. Windows has no such limit.
 
     Returns
     -------

@@ -10,6 +10,8 @@ from docutils import nodes
 from sphinx.transforms.post_transforms import SphinxPostTransform
 from sphinx.util.osutil import relative_uri
 
+from derive.output.files import put
+
 GROUND, WALL, INK, BLUE = "#14181e", "#262c34", "#ced6dd", "#58a6dc"
 DARK = {
     "#ffffff": GROUND, "#f2f2f2": WALL, "#ececec": WALL, "#e6e6e6": WALL, "#000000": INK,
@@ -43,9 +45,8 @@ class DarkPictures(SphinxPostTransform):
             path = Path(self.app.srcdir, image["uri"])
             if path.suffix != ".svg" or not path.is_file():
                 continue
-            folder.mkdir(exist_ok=True)
             name = f"{path.stem}-dark.svg"
-            (folder / name).write_text(darkened(path.read_text(encoding="utf-8")), encoding="utf-8")
+            put(folder / name, darkened(path.read_text(encoding="utf-8")))
             twin = image.deepcopy()
             place = relative_uri(builder.get_target_uri(self.env.current_document.docname), builder.imagedir)
             twin["uri"] = f"{place}/{name}"

@@ -12,6 +12,8 @@ from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
+from derive.output.files import put
+
 ROOT = Path(__file__).parents[2]
 EXAMPLES = ROOT / "examples"
 KEPT = ROOT / "build" / "docs" / "printed"
@@ -29,9 +31,8 @@ def result(example: Path) -> str:
             [sys.executable, "-m", f"examples.{example.stem}"], cwd=ROOT, env=os.environ | {"PYTHONPATH": paths},
             capture_output=True, text=True, check=True,
         )  # fmt: skip
-        KEPT.mkdir(parents=True, exist_ok=True)
         lines = (line.rpartition("\r")[2].rstrip() for line in done.stdout.split("\n"))
-        kept.write_text("\n".join(line for line in lines if "% Completed" not in line), encoding="utf-8")
+        put(kept, "\n".join(line for line in lines if "% Completed" not in line))
     return kept.read_text(encoding="utf-8")
 
 

@@ -10,6 +10,8 @@ from typing import Any
 import yaml
 from docutils import nodes
 
+from derive.output.files import put
+
 ROOT = Path(__file__).parents[2]
 INTERFACES = {"dualcay.cayley2": "dualcay._interface", "dualcay.rotation.cayley2": "dualcay.rotation._interface"}
 """Module whose methods are the functions of a kernel module, by the kernel module that the reference shows."""
@@ -68,9 +70,8 @@ def bibtex(citation: str, address: str) -> str:
 def write(app: Any) -> None:
     """Write the entry that the page on citing includes."""
     folder = Path(app.srcdir) / "reference" / "generated"
-    folder.mkdir(parents=True, exist_ok=True)
     text = bibtex((ROOT / "CITATION.cff").read_text(encoding="utf-8"), repository())
-    (folder / "citation.bib").write_text(f"{text}\n", encoding="utf-8")
+    put(folder / "citation.bib", f"{text}\n")
 
 
 def page_context(app: Any, name: str, template: str, context: dict[str, Any], doctree: Any) -> None:

@@ -21,6 +21,7 @@ from derive.codegen.lowered import lower_chart
 from derive.codegen.signatures import POSES
 from derive.codegen.targets.c import levels, shared_geometry
 from derive.output import templates
+from derive.output.files import put
 from dualcay import cayley2
 from dualcay.rotation import cayley2 as rotation
 
@@ -149,10 +150,9 @@ def c_left_out_page() -> str:
 def write(app: Any) -> None:
     """Write the included texts and the figures into the folder of generated pages."""
     folder = Path(app.srcdir) / GENERATED
-    folder.mkdir(parents=True, exist_ok=True)
     pages = (command_page, c_page, c_left_out_page, kinds_page, operations_page)
     for name, text in ((f"{page.__name__.removesuffix('_page')}.inc", page()) for page in pages):
-        (folder / name).write_text(text, encoding="utf-8")
+        put(folder / name, text)
     reference_figures.draw(folder)
 
 

@@ -11,6 +11,7 @@ import matplotlib
 import numpy as np
 from matplotlib.figure import Figure
 
+from derive.output.files import put, put_picture
 from dualcay import unwrap as continued
 from dualcay.rotation import cayley1, cayley2, cayley3, exponential
 
@@ -96,11 +97,11 @@ def draw(folder: Path) -> None:
     """Write every figure into a folder, and a thumbnail of each example."""
     for path in sorted((folder.parents[1] / "figures").glob("*.svg")):
         cut = first_panel(path.read_text(encoding="utf-8"))
-        (folder / f"thumbnail_{path.name}").write_text(cut, encoding="utf-8")
+        put(folder / f"thumbnail_{path.name}", cut)
     with matplotlib.rc_context({"svg.hashsalt": "dualcay", "svg.fonttype": "path"}):
         for function in set(FIGURES.values()):
             figure = Figure(figsize=(6, 3), layout="constrained")
             axes = figure.subplots()
             axes.grid(alpha=0.3)
             function(axes)
-            figure.savefig(folder / f"figure_{function.__name__}.svg", metadata={"Date": None})
+            put_picture(folder / f"figure_{function.__name__}.svg", figure)

@@ -1,6 +1,7 @@
 """``python -m docs.pages.field``: decide the library of formulas in use, and write its page with JSON beside it.
 
-The exit code is 1 if, with ``--check``, a file is stale. An equation that is not decided in its time is on the page.
+The exit code is 1 if, with ``--check``, a file is stale, and 3 if the page cannot be written. An equation that is not
+decided in its time is on the page.
 """
 
 from __future__ import annotations
@@ -20,8 +21,8 @@ from derive.output.progress import bar
 
 from .field_facts import COLLECTIONS, TRUE, WRONG, Document, Place, anchor, as_json, correction, decided, sheets
 
-# The page holds verdicts of equations that can be decided, so a busy machine must not end one of them.
 SECONDS = 600.0
+"""Processor time that an equation may take: the page holds verdicts of all that can be decided."""
 
 HEAD = """# Formulas in use
 
@@ -185,8 +186,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser = argparse.ArgumentParser(prog="python -m docs.pages.field", description="Decide the formulas in use.")
     parser.add_argument("-o", "--output", type=Path, required=True, help="page to write, with JSON beside it")
     parser.add_argument("--check", action="store_true", help="compare the files instead")
-    parser.add_argument("--seconds", type=float, default=SECONDS, help="time limit of an equation")
+    parser.add_argument("--seconds", type=float, default=SECONDS, help="processor time that an equation may take")
     options = parser.parse_args(arguments)
+    if not options.check and not facts.writable(options.output):
+        return 3
     read, output = sheets(), options.output
     problems = [problem for sheet in read for problem in sheet.problems]
     if problems:

@@ -1,6 +1,7 @@
 """``python -m docs.pages.proving``: prove everything and run all controls.
 
 The exit code is 1 if a proof fails, if a control does not fail, or, with ``--check``, if the page of theorems is stale.
+It is 3 if the page cannot be written.
 """
 
 from __future__ import annotations
@@ -36,6 +37,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser.add_argument("-o", "--output", type=Path, help="page of theorems to write, with JSON beside it")
     parser.add_argument("--check", action="store_true", help="compare both instead")
     options = parser.parse_args(arguments)
+    if not options.check and not facts.writable(options.output):
+        return 3
     with bar(2 + 2 * len(ORDERS)) as step:
         step("theorems")
         general = decided(CLAIMS)
@@ -52,13 +55,15 @@ def main(arguments: Sequence[str] | None = None) -> int:
     wrong = [proof for proof in proved if not proof.proved]
     missed = [control for control in altered if not control.noticed]
     print(f"{len(proved)} statements, {len(wrong)} not proved; {len(altered)} controls, {len(missed)} not noticed")
+    scopes, count = Counter(proof.scope for proof in general), Counter(control.proof.title for control in altered)
+    kinds = ", ".join(f"{number} for {scope}" for scope, number in scopes.items())
+    print(f"{len(general)} theorems, {kinds}; {sum(count[proof.title] for proof in general)} controls of theorems")
     for line in (*map(str, wrong), *map(str, missed)):
         print(line, file=sys.stderr)
     if wrong or missed:
         return 1
     if options.output is None:
         return 0
-    count = Counter(control.proof.title for control in altered)
     texts = facts.beside(options.output, page(general, again[SHOWN], count), as_json(general, count))
     return facts.deliver(options.output, texts, options.check, "docs.pages.proving")
 

@@ -795,11 +795,13 @@ def from_pose(m: Any, c: Any, T: Components) -> Result:
 
 
 def from_screw(m: Any, c: Any, angle: Components, line: Components) -> Result:
-    """Vector v = φ(α) u, in dual numbers."""
+    """Vector v = φ(α) u, in dual numbers; NaN if u is zero, as an axis of no direction."""
     alpha, alphao = angle
     u1, u2, u3, u1o, u2o, u3o = line
     r, slope, _ = c.coefficient(m, alpha)
-    every = alpha + alphao + u1 + u2 + u3 + u1o + u2o + u3o
+    x = u1 * u1 + u2 * u2 + u3 * u3
+    inverse = 1 / x
+    every = alpha + alphao + u1 + u2 + u3 + u1o + u2o + u3o + inverse
     size = r + (every - every)
     ro = alphao * slope
     made1 = u1 * size

@@ -1029,7 +1029,7 @@ class PoseKernels(Kernels):
 
         Parameters
         ----------
-        v2, v1 : array, shape (..., 6)
+        v1, v2 : array, shape (..., 6)
             Vectors of the chart: real part, then dual part. Complex numbers are a TypeError.
         t : array, shape (...)
             Fraction of the motion, any number; broadcasts with the batch.

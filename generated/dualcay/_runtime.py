@@ -92,7 +92,7 @@ def call(
         overlaps = not apart and any(np.may_share_memory(out, array) for array in arrays)
         found = np.empty(full, dtype) if out is None or overlaps else out
         if native:
-            _compiled(native, kernel, arrays, found, axis, table)
+            _compiled(name, chart, arrays, found, axis, dtype, table)
         else:
             _record_and_run(name, chart, arrays, found, axis, dtype, table)
     if out is None or found is out:
@@ -108,14 +108,32 @@ def _directly(native: Compiled, values: Sequence[Any], table: tuple[str, ...]) -
 
 
 def _compiled(
-    native: Compiled, kernel: Kernel, arrays: Sequence[Array], result: Array, axis: int, table: tuple[str, ...]
+    name: str,
+    chart: Chart,
+    arrays: Sequence[Array],
+    result: Array,
+    axis: int,
+    dtype: np.dtype[Any],
+    table: tuple[str, ...],
 ) -> None:
-    """Run the compiled form on arrays with component axes last; other arrays are transposed."""
-    numbers = _numbers(native, arrays, table, np.result_type(*arrays))
+    """Run the compiled form on arrays with component axes last; other arrays are transposed.
+
+    Poses whose results are not finite run in NumPy: without products with 0, it is finite in more places.
+    """
+    kernel, native = chart.kernels[name], chart.native[name]
     if axis == 0:
         arrays = [_components_last(array, part) for array, (_, part) in zip(arrays, kernel.arguments)]
         result = _components_last(result, kernel.shape)
-    native.function(*arrays, *numbers, out=result)
+    numbers, lost = _numbers(native, arrays, table, np.result_type(*arrays)), list[str]()
+    with np.errstate(all="ignore", invalid="call", call=lambda error, _: lost.append(error)):
+        native.function(*arrays, *numbers, out=result)
+    if lost:
+        batch = result.shape[: result.ndim - len(kernel.shape)]
+        rows = ~np.isfinite(result).all(axis=tuple(range(len(batch), result.ndim)))
+        given = [np.broadcast_to(array, batch + part)[rows] for array, (_, part) in zip(arrays, kernel.arguments)]
+        again = np.empty((np.count_nonzero(rows), *kernel.shape), result.dtype)
+        _record_and_run(name, chart, given, again, -1, dtype, table)
+        result[rows] = again
 
 
 def _components_last(array: Array, part: Shape) -> Array:

@@ -125,7 +125,8 @@ class Trajectory:
             begin, end = self.steps[place].begin, self.steps[place].end
             h = INCREMENT * (end - begin)
             middle = np.clip(one, begin + 2 * h, end - 2 * h)
-            values = np.array([self.problem.twist(float(middle + k * h)) for k in OFFSETS])
+            times = np.minimum(middle + h * OFFSETS, np.nextafter(end, begin))  # the twist may jump at the end
+            values = np.array([self.problem.twist(time) for time in times.tolist()])
             powers = [k * ((one - middle) / h) ** (k - 1) if k else 0.0 for k in range(5)]
             row[:] = powers @ TO_COEFFICIENTS @ values / h
         return found

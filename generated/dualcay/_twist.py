@@ -19,7 +19,13 @@ from ._motion import MotionError
 
 
 class Twist(Protocol):
-    """Twist [ω, v] as a function of time, with its derivative (T, 6) at times (T,); None if it is unknown."""
+    """Twist [ω, v] as a function of time, with its derivative (T, 6) at times (T,); None if it is unknown.
+
+    It is smooth between times called ``knots``.
+    """
+
+    @property
+    def knots(self) -> Array: ...
 
     def __call__(self, time: float) -> Sequence[float]: ...
 
@@ -31,6 +37,7 @@ class Sampled:
     """Twist by a spline."""
 
     spline: Any
+    knots: Array
 
     def __call__(self, time: float) -> Sequence[float]:
         omega: Sequence[float] = self.spline(time).tolist()
@@ -45,6 +52,7 @@ class Called:
     """Twist by a user's function, which copies share. If pickle cannot save or load it, `Lost` takes its place."""
 
     function: Callable[[float], ArrayLike]
+    knots: Array
 
     def __call__(self, time: float) -> Sequence[float]:
         """Return six finite floats; raise MotionError for any other value."""
@@ -70,7 +78,7 @@ class Called:
             saved = pickle.dumps(self.function)
         except Exception:  # any error of a user's object
             saved = b""
-        return _loaded, (saved, repr(self.function))
+        return _loaded, (saved, repr(self.function), self.knots)
 
 
 @dataclass(frozen=True)
@@ -87,26 +95,29 @@ class Lost:
         )
 
 
-def _loaded(saved: bytes, name: str) -> Called:
+def _loaded(saved: bytes, name: str, knots: Array) -> Called:
     try:
-        return Called(pickle.loads(saved))
+        return Called(pickle.loads(saved), knots)
     except Exception:  # no bytes, or a function that this process does not have
-        return Called(Lost(name))
+        return Called(Lost(name), knots)
 
 
-def twist_of(twist: Any, t: Array) -> Twist:
+def twist_of(twist: Any, t: Array, knots: ArrayLike | None) -> Twist:
     """Return the twist of a motion from a function, from one value, or from samples at the times t."""
     if callable(twist):
         finite("twist at the first time", twist(t[0]), (6,))
-        return Called(twist)
+        times: ArrayLike = () if knots is None else knots
+        return Called(twist, np.unique(finite("knots", times, (np.size(times),))))
+    if knots is not None:
+        raise TypeError("knots are for a callable twist: samples have theirs at the times t")
     from scipy.interpolate import CubicSpline
 
     shape = np.shape(twist)
     if shape == (6,):
-        return Sampled(CubicSpline(t[[0, -1]], np.tile(finite("twist", twist, (6,)), (2, 1))))
+        return Sampled(CubicSpline(t[[0, -1]], np.tile(finite("twist", twist, (6,)), (2, 1))), t[[0, -1]])
     if shape != (len(t), 6):
         raise ValueError(f"twist must have shape ({len(t)}, 6), got {shape}; a constant one has (6,)")
-    return Sampled(CubicSpline(t, finite("twist", twist, shape)))
+    return Sampled(CubicSpline(t, finite("twist", twist, shape)), t)
 
 
 def finite(name: str, value: ArrayLike, shape: tuple[int, ...]) -> Array:

@@ -348,7 +348,7 @@ CHART = Chart(
     ),
     # limits of v·v halfway between branches, each followed by the pair of numbers for the turn back
     returns=(
-        "0.7071067811865475244008443621048490392848",
+        "0.70710678118654752440084436210484903928483593768847403658834",
         "0.0",
         "-1.0",
     ),
@@ -358,7 +358,7 @@ CHART = Chart(
         _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _followed,
     ),
     kernels=SHARED,
-    programs="d24b5f531e6a9d15",
+    programs="7fb2d75b5b381d75",
 )
 
 KERNELS = PoseKernels(CHART)

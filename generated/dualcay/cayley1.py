@@ -194,7 +194,7 @@ CHART = Chart(
         _unfolded, _reached, _coefficient, _followed,
     ),
     kernels=SHARED,
-    programs="7f6bac3060e679ca",
+    programs="68717e1aaedbb470",
 )
 
 KERNELS = PoseKernels(CHART)

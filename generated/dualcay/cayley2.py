@@ -268,7 +268,7 @@ CHART = Chart(
         _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _followed,
     ),
     kernels=SHARED,
-    programs="7f4c62bc89f85830",
+    programs="c04a32a2aa8aade9",
 )
 
 KERNELS = PoseKernels(CHART)

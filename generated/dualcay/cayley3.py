@@ -309,14 +309,14 @@ CHART = Chart(
     # pair of numbers for the turn by k branches
     turns=(
         ("1.0", "0.0"),
-        ("0.5", "0.8660254037844386467637231707529361834714"),
-        ("-0.5", "0.8660254037844386467637231707529361834714"),
+        ("0.5", "0.866025403784438646763723170752936183471402626905190314027903"),
+        ("-0.5", "0.866025403784438646763723170752936183471402626905190314027903"),
     ),
     # limits of v·v halfway between branches, each followed by the pair of numbers for the turn back
     returns=(
-        "0.3333333333333333333333333333333333333333",
+        "0.333333333333333333333333333333333333333333333333333333333333",
         "0.5",
-        "-0.8660254037844386467637231707529361834714",
+        "-0.866025403784438646763723170752936183471402626905190314027903",
     ),
     functions=by_name(
         _quaternion_scalars, _pose_scalars, _tangent_scalars, _tangent_dot_scalars, _rate_scalars, _inverse_scalars,
@@ -324,7 +324,7 @@ CHART = Chart(
         _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _followed,
     ),
     kernels=SHARED,
-    programs="e276ecc448f52da0",
+    programs="57f4210a3309747f",
 )
 
 KERNELS = PoseKernels(CHART)

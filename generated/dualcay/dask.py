@@ -20,7 +20,7 @@ from ._runtime import as_array, batch_shape
 try:
     import dask.array as da
 except ImportError as error:
-    raise ImportError('dualcay.dask needs Dask: pip install "dualcay[dask]"') from error
+    raise ImportError('dualcay.dask needs Dask: pip install "dask[array]"') from error
 
 __all__ = ["apply"]
 
@@ -152,9 +152,10 @@ def apply(kernel: Callable[..., Any], *arrays: Any, axis: int = -1, **options: A
     Parameters
     ----------
     kernel : function
-        Function of a kernel module, such as ``cayley3.pose`` or ``rotation.cayley2.compose``. Others: TypeError.
+        Function of a kernel module, such as ``cayley3.pose`` or ``rotation.cayley2.compose``. Others: TypeError, also
+        ``switch``, which returns as many arrays as it is given.
     arrays : Dask arrays, or anything that NumPy takes as an array
-        Positional arguments of the kernel. Leading axes broadcast.
+        Arrays that the kernel takes, by position or by name. Leading axes broadcast.
     axis : {-1, 0}
         Component axis of arguments and results, as in the kernel.
     options
@@ -191,6 +192,7 @@ def apply(kernel: Callable[..., Any], *arrays: Any, axis: int = -1, **options: A
     signature = _signature(kernel)
     parts, results = map(_shapes, signature.split("->"))
     arguments = list(zip(inspect.signature(kernel).parameters, parts))
+    arrays += tuple(options.pop(name) for name, _ in arguments[len(arrays) :] if name in options)
     if len(arrays) != len(parts):
         expected = ", ".join(name for name, _ in arguments)
         raise TypeError(f"{kernel.__name__} takes {len(parts)} arrays ({expected}), got {len(arrays)}")
@@ -210,7 +212,8 @@ def _signature(kernel: Callable[..., Any]) -> str:
     interface = type(getattr(kernel, "__self__", None)).__name__
     found = SIGNATURES.get(interface, {}).get(getattr(kernel, "__name__", ""))
     if found is None:
-        raise TypeError(f"kernel must be a function of a kernel module that takes arrays, as cayley3.pose, got {kernel!r}")
+        wanted = "a function of a kernel module with arrays of fixed number and shape, as cayley3.pose"
+        raise TypeError(f"kernel must be {wanted}, got {kernel!r}")
     return found
 
 

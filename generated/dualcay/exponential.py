@@ -376,12 +376,12 @@ CHART = Chart(
     singular_angles=(2 * pi, 4 * pi),
     # pair of numbers for the turn by one branch
     turns=(
-        ("-0.000002835786152229970237232055265479198662896", "6.283203125"),
+        ("-0.00000283578615222997023723205526547919866289556726504175370119287", "6.283203125"),
     ),
     # limits of v·v halfway between branches, each followed by the pair of numbers for the turn back
     returns=(
-        "9.869604401089358618834490999876151135314",
-        "-0.000002835786152229970237232055265479198662896",
+        "9.86960440108935861883449099987615113531369940724079062641335",
+        "-0.00000283578615222997023723205526547919866289556726504175370119287",
         "0.0",
     ),
     functions=by_name(
@@ -390,7 +390,7 @@ CHART = Chart(
         _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _followed,
     ),
     kernels=SHARED,
-    programs="f08a712a5a77f513",
+    programs="f5e6de95518c2247",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -323,7 +323,7 @@ CHART = Chart(
         _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _followed,
     ),
     kernels=SHARED,
-    programs="43c1926f94a2d985",
+    programs="ff423668239254c5",
     ends=True,
 )
 

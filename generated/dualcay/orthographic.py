@@ -242,7 +242,7 @@ CHART = Chart(
         _unfolded, _reached, _coefficient, _followed,
     ),
     kernels=SHARED,
-    programs="f492ea156d7bea89",
+    programs="c26332f9e3c45ef2",
     ends=True,
 )
 

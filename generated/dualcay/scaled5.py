@@ -33,7 +33,7 @@ from .cayley5 import CHART as BASE
 
 ORDER = 5
 
-CHART = multiple(BASE, __name__, 10, 1, constant=('inside',), programs="0f5b4c0752d7904d")
+CHART = multiple(BASE, __name__, 10, 1, constant=('inside',), programs="70367bd8f75665b6")
 
 KERNELS = PoseKernels(CHART)
 # the functions of this module are the methods of KERNELS

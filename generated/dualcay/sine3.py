@@ -338,14 +338,14 @@ CHART = Chart(
     # pair of numbers for the turn by k branches
     turns=(
         ("1.0", "0.0"),
-        ("0.5", "0.8660254037844386467637231707529361834714"),
-        ("-0.5", "0.8660254037844386467637231707529361834714"),
+        ("0.5", "0.866025403784438646763723170752936183471402626905190314027903"),
+        ("-0.5", "0.866025403784438646763723170752936183471402626905190314027903"),
     ),
     # limits of v·v halfway between branches, each followed by the pair of numbers for the turn back
     returns=(
         "0.25",
         "0.5",
-        "-0.8660254037844386467637231707529361834714",
+        "-0.866025403784438646763723170752936183471402626905190314027903",
     ),
     functions=by_name(
         _quaternion_scalars, _pose_scalars, _tangent_scalars, _tangent_dot_scalars, _rate_scalars, _inverse_scalars,
@@ -353,7 +353,7 @@ CHART = Chart(
         _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _followed,
     ),
     kernels=SHARED,
-    programs="c87e0fe896080ffe",
+    programs="3e97c314439f2d3a",
     ends=True,
 )
 

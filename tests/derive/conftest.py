@@ -6,12 +6,16 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
+from hypothesis import HealthCheck, settings
 
 from derive.claims.report import FORMATS, Report
 from derive.codegen.targets import TARGETS
 from derive.papers import PAPERS, verify
 from tests.support.altered_maps import mutations, stated  # noqa: F401 (fixtures)
 from tests.support.packages import unvalidated
+
+settings.register_profile("untimed", deadline=None, suppress_health_check=[HealthCheck.too_slow])
+settings.load_profile("untimed")
 
 
 @pytest.fixture

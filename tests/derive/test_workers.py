@@ -8,20 +8,25 @@ import signal
 import subprocess
 import sys
 import time
-from contextlib import nullcontext
+from collections.abc import Iterator
+from contextlib import contextmanager, nullcontext
 from pathlib import Path
 
 import pytest
 
 from derive.codegen import ValidationFailed, generate_charts
 from derive.codegen.build import GEOMETRY, build
+from derive.codegen.validation import compiled
 from derive.maps import Cayley
-from derive.workers import mapping
+from derive.papers import Status, check
+from derive.workers import SlowError, cores, mapping, run
 from tests.support.command import ROOT
 from tests.support.counting import Counting, Dying
-from tests.support.staying import meet
+from tests.support.staying import meet, spin, until
 
 CHARTS = [Cayley(n) for n in (1, 2)]
+LIMIT = 1
+"""Processor time in tests of limits."""
 
 
 def test_result_does_not_depend_on_the_number_of_processes():
@@ -62,7 +67,7 @@ def test_death_of_a_worker_is_reported():
 
 def test_this_process_takes_part(tmp_path: Path):
     with mapping(meet, 2) as results:
-        assert list(results([tmp_path, tmp_path])) == [True, True]
+        assert os.getpid() in list(results([tmp_path, tmp_path]))
 
 
 def test_number_of_processes_is_positive():
@@ -105,7 +110,7 @@ def test_no_worker_is_left_when_the_main_process_is_interrupted_or_killed(tmp_pa
                 os.kill(process, ending)
             time.sleep(0.2)
         first.send_signal(ending)
-        out, err = first.communicate(timeout=20)
+        out, err = first.communicate()
         until(lambda: not any(map(alive, begun)))
     finally:
         first.kill()
@@ -115,16 +120,78 @@ def test_no_worker_is_left_when_the_main_process_is_interrupted_or_killed(tmp_pa
     assert len([*tmp_path.iterdir()]) == 2  # no further call began, and no call was interrupted
 
 
-def until(reached) -> None:
-    end = time.monotonic() + 20
-    while not reached():
-        assert time.monotonic() < end
-        time.sleep(0.05)
-
-
 def alive(process: int) -> bool:
     try:
         os.kill(process, 0)
     except ProcessLookupError:
         return False
     return Path(f"/proc/{process}/stat").read_text().split()[2] != "Z" if Path("/proc").is_dir() else True
+
+
+# --- limits of processor time -----------------------------------------------------------------------------------------
+
+posix = pytest.mark.skipif(sys.platform == "win32", reason="Windows has no such limit")
+
+
+@contextmanager
+def busy() -> Iterator[None]:
+    """Keep every processor busy."""
+    others = [multiprocessing.get_context("spawn").Process(target=spin) for _ in range(cores())]
+    for other in others:
+        other.start()
+    yield
+    for other in others:
+        other.kill()
+        other.join()
+
+
+DECIDE = """
+import importlib, time
+module = importlib.import_module("derive.papers.decide")
+def decided(*given, early):
+    {}
+    return of(*given, early=early)
+of, module.decide = module.decide, decided
+"""
+POWER = "pow(3, 10**10)  # one call of C"
+SLOW = (Status.UNDECIDED, f"not decided within {LIMIT} s of processor time")
+
+
+@posix
+@pytest.mark.parametrize(
+    ("beside", "does", "expected"),
+    [(busy, f"time.sleep({3 * LIMIT})", (Status.HOLDS, "exact")), (nullcontext, POWER, SLOW),
+     (nullcontext, f"early(of(*given, early=early)); {POWER}", (Status.HOLDS, "exact"))],
+    ids=["sleeps", "computes", "computes after a result"],
+)  # fmt: skip
+def test_a_claim_is_stopped_if_it_computes_long_and_not_if_it_waits(
+    tmp_path, monkeypatch, capfd, beside, does, expected
+):
+    (tmp_path / "sitecustomize.py").write_text(DECIDE.format(does))  # each worker loads it when it begins
+    monkeypatch.syspath_prepend(tmp_path)
+    with beside():
+        found = check("x + x == 2*x", x="real", seconds=LIMIT)
+    assert (found.status, found.method, capfd.readouterr().err) == (*expected, "")
+
+
+@posix
+def test_a_program_is_stopped_if_it_computes_long_and_not_if_it_sleeps():
+    assert run(["sh", "-c", "sleep 2.5; echo slept"], 1).stdout == "slept\n"
+    with pytest.raises(SlowError, match=r"^sh was stopped after 1 s of processor time$"):
+        run(["sh", "-c", "while :; do :; done"], 1)
+    assert run(["sh", "-c", "kill -9 $$"], 1).returncode == -9
+
+
+@posix
+@pytest.mark.parametrize("compiler", [True, False])
+def test_a_compiler_or_a_test_that_never_ends_is_named(tmp_path: Path, monkeypatch, compiler):
+    spinning = tmp_path / "cc"
+    loop = "while :; do :; done"
+    does = loop if compiler else f"while [ \"$1\" != -o ]; do shift; done; echo '{loop}' > $2; chmod +x $2"
+    spinning.write_text(f"#!/bin/sh\n{does}\n")
+    spinning.chmod(0o755)
+    monkeypatch.setenv("CC", str(spinning))
+    monkeypatch.setattr(compiled, "SECONDS", 1)
+    said = rf"^test_cayley1\.c \(double\): {'cc' if compiler else 'double'} was stopped after 1 s of processor time$"
+    with pytest.raises(ValidationFailed, match=said):
+        compiled.test(tmp_path, Cayley(1))

@@ -111,7 +111,7 @@ def test_what_takes_too_long_is_on_the_page_and_the_run_goes_on(
     assert field.main(["-o", str(tmp_path / "field.md"), "--seconds", "0.001"]) == 0
     text = (tmp_path / "field.md").read_text(encoding="utf-8")
     for number in ("1", "2"):
-        assert f"[small {number}](#in-small): not decided within 0.001 s" in text
+        assert f"[small {number}](#in-small): not decided within 0.001 s of processor time" in text
     assert "| [Two formulas](#in-small) | 2 | 0 | 0 | 0 | 2 |" in text
 
 

@@ -17,6 +17,7 @@ from filelock import FileLock
 
 from docs._ext import links
 from tests.support import browsers, pages
+from tests.support.staying import until
 
 pytestmark = [pytest.mark.browser, pytest.mark.thorough]
 SITE = pages.ROOT / "build" / "docs" / "html"
@@ -25,7 +26,6 @@ FLAGS = (
     *("--disable-background-networking", "--disable-component-update", "--enable-logging=stderr"),
     "--host-resolver-rules=MAP * ~NOTFOUND, EXCLUDE 127.0.0.1",
 )
-SECONDS = 240  # time for a page to come back
 
 CUT = r"""const cut = page => [...page.querySelectorAll("article pre")]
   .filter(node => node.scrollWidth > node.clientWidth + 1).map(node => node.textContent.slice(0, 60));
@@ -172,10 +172,11 @@ def browse(server: Server, page: str, folder: Path, flags: Sequence[str] = ()) -
         command = [str(browsers.find()), *FLAGS, *flags, f"--user-data-dir={folder}/profile", url]
         browser = subprocess.Popen(command, stdout=stream, stderr=stream)
         try:
-            seen = server.seen.get(timeout=SECONDS)
+            until(lambda: not server.seen.empty() or browser.poll() is not None)
+            seen = server.seen.get_nowait()
         finally:
             browser.terminate()
-            browser.wait(timeout=SECONDS)
+            browser.wait()
     return seen, re.findall(r"CONSOLE.*?\] (.*)", log.read_text(encoding="utf-8"))
 
 

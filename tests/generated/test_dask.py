@@ -6,7 +6,6 @@ import os
 import signal
 import subprocess
 import sys
-import time
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -20,6 +19,7 @@ from derive.codegen.rows import Function
 from derive.codegen.signatures import POSES, ROTATIONS
 from dualcay import cayley3, exponential, rotation
 from dualcay.dask import apply
+from tests.support.staying import until
 
 RNG = np.random.default_rng(20)
 COUNT, CHUNKS, OTHERS = 120, (30, 60, 30), (60, 60)  # blocks above 20 poses: smaller ones run on Python floats
@@ -71,6 +71,9 @@ def test_batches_broadcast_with_arrays_of_numpy_and_plain_numbers() -> None:
     assert_same(apply(cayley3.transform_point, da.from_array(v, chunks=(2, 1, 6)), r), cayley3.transform_point(v, r))
     assert_same(apply(cayley3.pose, da.from_array(v[0, 0])), cayley3.pose(v[0, 0]))
     assert_same(apply(cayley3.pose, v[:0]), cayley3.pose(v[:0]))
+    assert_same(
+        apply(cayley3.interpolate, da.from_array(v[:, 0]), v2=v[0], t=0.3), cayley3.interpolate(v[:, 0], v[0], 0.3)
+    )
     for dtype in (np.float32, np.longdouble, int):
         one, two = (3 * v).astype(dtype), (2 * v[:1]).astype(dtype)
         assert_same(apply(cayley3.interpolate, da.from_array(one), two, 0.3), cayley3.interpolate(one, two, 0.3))
@@ -106,6 +109,7 @@ REFUSED = [
     (cayley3.principal, [V + 0j], {}, TypeError, "v must be real"),
     (cayley3.pose, [V], {"out": V}, TypeError, "out cannot be given"),
     (cayley3.identity, [], {}, TypeError, "must be a function of a kernel module"),
+    (cayley3.switch, [V], {}, TypeError, "with arrays of fixed number and shape"),
     (np.sin, [V], {}, TypeError, "must be a function of a kernel module"),
 ]
 
@@ -124,7 +128,7 @@ def test_missing_dask_is_an_error_that_says_how_to_install_it() -> None:
     run = [sys.executable, "-c", code]
     done = subprocess.run(run, env={**os.environ, "PYTHONPATH": path}, capture_output=True, text=True)
     assert int(done.stdout) > 15
-    assert done.stderr.splitlines()[-1] == 'ImportError: dualcay.dask needs Dask: pip install "dualcay[dask]"'
+    assert done.stderr.splitlines()[-1] == 'ImportError: dualcay.dask needs Dask: pip install "dask[array]"'
 
 
 @pytest.fixture(scope="module")
@@ -135,9 +139,9 @@ def client() -> Iterator[distributed.Client]:
         yield client
 
 
-def slowly(block: np.ndarray) -> np.ndarray:
-    """Return a block after a while."""
-    time.sleep(0.1)
+def held(block: np.ndarray, first: float, gate: Path) -> np.ndarray:
+    """Return the block that begins with a number; others when a file exists."""
+    until(lambda: block[0, 0] == first or gate.exists())
     return block
 
 
@@ -153,13 +157,15 @@ def test_two_processes_give_the_same_bits(client: distributed.Client) -> None:
 
 
 @pytest.mark.thorough
-def test_a_worker_killed_midway_changes_nothing(client: distributed.Client) -> None:
+def test_a_worker_killed_midway_changes_nothing(client: distributed.Client, tmp_path: Path) -> None:
     v = RNG.uniform(-1, 1, (4000, 6))
-    pose = client.persist(apply(exponential.pose, da.from_array(v, chunks=(100, 6)).map_blocks(slowly)))
+    given = da.from_array(v, chunks=(100, 6)).map_blocks(held, first=v[0, 0], gate=tmp_path / "gate", meta=v[:0])
+    pose = client.persist(apply(exponential.pose, given))
     blocks = distributed.futures_of(pose)
     distributed.wait(blocks, return_when="FIRST_COMPLETED")
     before = client.run(os.getpid)
     os.kill(next(iter(before.values())), signal.SIGKILL)
     assert not all(block.done() for block in blocks)
+    (tmp_path / "gate").touch()
     np.testing.assert_array_equal(pose.compute(), exponential.pose(v))
     assert set(client.run(os.getpid).values()) != set(before.values())

@@ -279,7 +279,7 @@ def test_missing_scipy_is_an_error_that_says_how_to_install_it() -> None:
     run = [sys.executable, "-c", code]
     done = subprocess.run(run, env={**os.environ, "PYTHONPATH": path}, capture_output=True, text=True)
     assert done.stdout == "[0. 0. 0. 0. 0. 0.]\n"
-    said = 'ImportError: Rotation needs SciPy 1.16 or later: pip install "dualcay[motion]"'
+    said = 'ImportError: Rotation needs SciPy 1.16 or later: pip install "scipy>=1.16"'
     assert done.stderr.splitlines()[-1] == said
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import inspect
 import re
+from functools import partial
 from types import ModuleType
 
 import numpy as np
@@ -12,6 +13,8 @@ import pytest
 import dualcay
 from dualcay import _kernel, _runtime
 from tests.support.kernels import ALIKE, orders
+from tests.support.layouts import BATCHES as BATCHES_OF_ONE
+from tests.support.layouts import require_strides_of_one_ignored
 from tests.support.signatures import SHAPES, SIGNATURES, assert_nearly_equal, components_last, inputs, rows_of
 
 FUNCTION = pytest.mark.parametrize("name", SIGNATURES)
@@ -127,6 +130,21 @@ def test_strided_and_read_only_arrays_are_read_and_kept(kernel: ModuleType, orde
         assert_nearly_equal(getattr(kernel, name)(*form, axis=axis), expected)
     for a, b in zip(arguments, before, strict=True):
         np.testing.assert_array_equal(a, b)
+
+
+@FUNCTION
+@pytest.mark.parametrize("axis", [-1, 0])
+@pytest.mark.parametrize("most", [{}, {"POINTWISE_MAX": -1}, {"POINTWISE_MAX": -1, "PREPARED_MAX": -1}], ids=len)
+def test_axes_of_length_1_may_have_any_stride(
+    kernel: ModuleType, order: int, name: str, axis: int, most: dict[str, int], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Call pose by pose, as a prepared program and block by block, also with ``out``."""
+    for limit, value in most.items():
+        monkeypatch.setattr(_kernel if hasattr(_kernel, limit) else _runtime, limit, value)
+    for shape in BATCHES_OF_ONE:
+        arguments = inputs(kernel, name, order, shape)
+        given = rows_of(name, arguments) if axis == 0 else arguments
+        require_strides_of_one_ignored(partial(getattr(kernel, name), axis=axis), given, assert_nearly_equal)
 
 
 @FUNCTION

@@ -51,6 +51,10 @@ def test_every_function_has_its_documentation_and_signature(name: str) -> None:
     assert "Returns\n-------" in text
     for parameter in parameters:
         assert parameter in text, f"{name} does not say what {parameter} is"
+    listed = text.partition("Parameters\n----------\n")[2].partition("\n\n")[0].splitlines()
+    described = [part for line in listed if line[:1] not in ("", " ") for part in line.partition(" : ")[0].split(", ")]
+    given = [part for part in described if part in parameters]
+    assert given == [part for part in parameters if part in given], f"{name} lists {described}"
 
 
 def test_help_tells_of_the_module_and_of_each_function() -> None:

@@ -157,6 +157,21 @@ def test_one_rule_of_sides_at_half_turns(both: tuple[ModuleType, ModuleType], dt
         one_rule_of_sides(both[0], module, dtype)
 
 
+@DTYPES
+def test_an_axis_of_zeros_gives_nan(both: tuple[ModuleType, ModuleType], dtype: Any) -> None:
+    """Expect NaN at each angle, as for the quaternion of zeros, in that row alone."""
+    for module, name, parts in zip(both, ("from_screw", "from_angle_axis"), (6, 3), strict=True):
+        for angle in (0.0, 0.5, 2.0):
+            for count in (2, COUNT):
+                axes = np.tile(np.eye(parts, dtype=dtype)[2], (count, 1))
+                axes[-1, :3] = 0
+                angles = np.full((count, 2) if parts == 6 else count, angle, dtype)
+                found = getattr(module, name)(angles, axes)
+                assert np.isnan(found[-1]).all()
+                assert np.isfinite(found[:-1]).all()
+                assert np.isnan(getattr(module, name)(angles[-1], axes[-1])).all()
+
+
 def one_rule_of_sides(poses: ModuleType, module: Any, dtype: Any) -> None:
     if name_of(module) in (*POLES, "ending"):  # where forward maps find the angle by a root, not to all digits
         return

@@ -46,6 +46,10 @@ def test_backend_says_what_runs_each_function() -> None:
 def test_missing_module_is_refused_with_its_command(name: str, option: str) -> None:
     with pytest.raises(ImportError, match=rf"^no {name} in 'dualcay'.*cayley8.*dualcay generate {option} -o FOLDER$"):
         exec(f"from dualcay import {name}")
+    for package in (dualcay, dualcay.rotation):
+        assert not hasattr(package, name)
+        with pytest.raises(AttributeError, match=rf"dualcay generate {option} -o FOLDER$"):
+            getattr(package, name)
 
 
 @pytest.mark.parametrize("name", MODULES)
@@ -128,7 +132,6 @@ def run(code: str, path: list[Path]) -> str:
         env=environment,
         capture_output=True,
         text=True,
-        timeout=60,
     )
     assert done.returncode == 0, done.stderr
     assert done.stderr == ""

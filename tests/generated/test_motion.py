@@ -283,7 +283,7 @@ def test_scipy_is_imported_by_propagate_alone_and_missed_by_name() -> None:
         "try: dualcay.propagate(c, [0.0] * 6, lambda t: [0.0] * 6, [0, 1])\nexcept ImportError as error: print(error)"
     )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
-    assert done.stdout.strip() == 'dualcay.propagate needs SciPy: pip install "dualcay[motion]"'
+    assert done.stdout.strip() == 'dualcay.propagate needs SciPy: pip install "scipy>=1.16"'
 
 
 def test_examples_in_docstrings_run() -> None:

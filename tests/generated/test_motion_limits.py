@@ -28,12 +28,12 @@ FORMS = [(frame, method) for frame in ("space", "body") for method in ("lie", "c
 @pytest.mark.parametrize(("frame", "method"), FORMS)
 @pytest.mark.parametrize("name", EDGED)
 def test_a_start_beyond_the_edge_or_that_overflows_is_named_at_once(name: str, frame: str, method: str) -> None:
-    module, edge, begin = getattr(dualcay, name), EDGED[name], time.perf_counter()
+    module, edge, begin = getattr(dualcay, name), EDGED[name], time.process_time()
     for real, dual in ((1.1, 0.0), (1 + 1e-12, 0.1), (1e78, 0.0), (1e200, 1.0)):
         v0 = [real * edge * 0.6, -real * edge * 0.8, 0, dual, dual, dual]
         with pytest.raises(ValueError, match=r"v0 must .*within the edge .* got the real length"):
             propagate(module, v0, OMEGA, [0, 1], frame=frame, method=method)
-    assert time.perf_counter() - begin < 5  # a search that never ends would not come here
+    assert time.process_time() - begin < 5
     inside = propagate(module, [0.5 * edge, 0, 0, 1, 2, 3], OMEGA, [0, 1], frame=frame, method=method)
     assert np.isfinite(inside.v).all()
 

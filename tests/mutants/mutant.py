@@ -5,6 +5,7 @@ from __future__ import annotations
 import hashlib
 import multiprocessing
 import os
+import resource
 import signal
 import traceback
 from collections import deque
@@ -13,11 +14,12 @@ from contextlib import suppress
 from dataclasses import dataclass
 from multiprocessing.connection import Connection, wait
 from multiprocessing.process import BaseProcess
-from time import monotonic
+
+from derive.workers import stopped
 
 KILLED, SURVIVED, EQUIVALENT = "killed", "survived", "equivalent"
 
-TRIAL_SECONDS = 900.0  # time limit of one trial, in seconds; a mutant that exceeds it counts as killed
+TRIAL_SECONDS = 900  # of processor time for each process of a trial; a mutant that exceeds it counts as killed
 
 
 @dataclass(frozen=True, slots=True)
@@ -54,36 +56,35 @@ def sampled(mutants: Iterable[Mutant], count: int, seed: int) -> list[Mutant]:
     return sorted(mutants, key=rank)[:count]
 
 
-def tried(mutants: Sequence[Mutant], jobs: int, limit: float = TRIAL_SECONDS) -> Iterator[Verdict]:
+def tried(mutants: Sequence[Mutant], jobs: int, limit: int = TRIAL_SECONDS) -> Iterator[Verdict]:
     """Yield the verdicts in the order of mutants; each trial runs in a forked process."""
     waiting, verdicts = deque(enumerate(mutants)), dict[int, Verdict]()
-    running: dict[Connection, tuple[int, BaseProcess, float]] = {}
+    running: dict[Connection, tuple[int, BaseProcess]] = {}
     for place in range(len(mutants)):
         while place not in verdicts:
             while waiting and len(running) < jobs:
                 index, mutant = waiting.popleft()
-                receiver, process = _started(mutant)
-                running[receiver] = index, process, monotonic() + limit
-            ready = wait(list(running), timeout=1.0)
-            for receiver in list(running):
-                index, process, deadline = running[receiver]
-                if receiver in ready or monotonic() > deadline:
-                    del running[receiver]
-                    verdicts[index] = _ended(receiver, process, receiver in ready)
+                receiver, process = _started(mutant, limit)
+                running[receiver] = index, process
+            ready = wait(list(running))
+            for receiver in [each for each in running if each in ready]:
+                index, process = running.pop(receiver)
+                verdicts[index] = _ended(receiver, process)
         yield verdicts[place]
 
 
-def _started(mutant: Mutant) -> tuple[Connection, BaseProcess]:
+def _started(mutant: Mutant, limit: int) -> tuple[Connection, BaseProcess]:
     context = multiprocessing.get_context("fork")
     receiver, sender = context.Pipe(duplex=False)
-    process = context.Process(target=_run, args=(mutant, sender))
+    process = context.Process(target=_run, args=(mutant, sender, limit))
     process.start()
     sender.close()
     return receiver, process
 
 
-def _run(mutant: Mutant, sender: Connection) -> None:
+def _run(mutant: Mutant, sender: Connection, limit: int) -> None:
     os.setpgid(0, 0)
+    resource.setrlimit(resource.RLIMIT_CPU, (limit, resource.getrlimit(resource.RLIMIT_CPU)[1]))
     try:
         verdict = mutant.trial()
     except BaseException:
@@ -91,13 +92,12 @@ def _run(mutant: Mutant, sender: Connection) -> None:
     sender.send(verdict)
 
 
-def _ended(receiver: Connection, process: BaseProcess, answered: bool) -> Verdict:
+def _ended(receiver: Connection, process: BaseProcess) -> Verdict:
     """Return the verdict of a trial's process, and kill its process group."""
-    try:
-        verdict = receiver.recv() if answered else Verdict(KILLED, "time limit")
-    except EOFError:
-        verdict = Verdict(KILLED, "crash")
+    verdict = None
+    with suppress(EOFError):
+        verdict = receiver.recv()
     with suppress(ProcessLookupError, PermissionError):
         os.killpg(process.pid or 0, signal.SIGKILL)
     process.join()
-    return verdict  # type: ignore[no-any-return]
+    return verdict or Verdict(KILLED, "time limit" if stopped(process.exitcode) else "crash")

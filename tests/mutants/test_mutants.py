@@ -28,6 +28,7 @@ from tests.mutants.lines import changes as line_changes
 from tests.mutants.mutant import EQUIVALENT, KILLED, SURVIVED, Mutant, Verdict, sampled, tried
 from tests.mutants.programs import changes
 from tests.mutants.statements import changed, domains, evaluated, is_true, trials, true_statements
+from tests.support.staying import spin
 
 pytestmark = pytest.mark.smoke
 
@@ -103,8 +104,12 @@ def four_trials() -> list[Verdict]:
     return list(tried([mutant(trial) for trial in trials], jobs=3))  # type: ignore[arg-type]
 
 
-def long_trial() -> list[Verdict]:
-    return list(tried([mutant(lambda: time.sleep(60))], jobs=1, limit=0.1))  # type: ignore[arg-type, func-returns-value]
+def long_trials() -> list[Verdict]:
+    def asleep() -> Verdict:
+        time.sleep(1.5)
+        return Verdict(SURVIVED)
+
+    return list(tried([mutant(spin), mutant(asleep)], jobs=2, limit=1))  # type: ignore[arg-type]
 
 
 def run_command(kinds: Mapping[str, str], *arguments: str) -> tuple[int, str]:
@@ -121,8 +126,8 @@ def test_trials_are_isolated_and_verdicts_come_in_order(run_apart: Callable[...,
     assert found[3].by == "crash"
 
 
-def test_long_trials_are_killed(run_apart: Callable[..., Any]) -> None:
-    assert run_apart(long_trial) == [Verdict(KILLED, "time limit")]
+def test_trials_that_compute_long_are_killed_and_those_that_wait_are_not(run_apart: Callable[..., Any]) -> None:
+    assert run_apart(long_trials) == [Verdict(KILLED, "time limit"), Verdict(SURVIVED)]
 
 
 @pytest.mark.parametrize(("floor", "code"), [("50", 0), ("51", 1), ("some=40", 0), ("some=60", 1)])

@@ -11,6 +11,7 @@ from typing import Any
 from derive.codegen.targets.numpy import Numpy
 from derive.codegen.validation import ValidationFailed
 from derive.maps.chart import Chart
+from tests.support.staying import until
 
 
 class Counting(Numpy):
@@ -34,10 +35,11 @@ class Counting(Numpy):
 
 
 class Dying(Counting):
-    """Target that ends worker processes when asked to validate."""
+    """Target that ends worker processes when asked to validate; the main process waits for that."""
 
     def validate(self, *given: Any) -> int:
         if multiprocessing.parent_process():
+            (given[0] / "died").touch()
             os._exit(9)
-        time.sleep(0.2)
+        until((given[0] / "died").exists)
         return 1

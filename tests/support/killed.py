@@ -38,19 +38,19 @@ def killed(step: int, folder: Path, texts: dict[str, str], notices: dict[str, st
 
 def _kill_at(step: int) -> None:
     steps = itertools.count()
-    write_text = Path.write_text
+    write_bytes = Path.write_bytes
 
     def hook(event: str, arguments: Sequence[Any]) -> None:
         opened = event == "open" and arguments[2] & (os.O_WRONLY | os.O_RDWR)
         if (opened or event in EVENTS) and next(steps) == step:
             os.kill(os.getpid(), signal.SIGKILL)
 
-    def in_two_halves(path: Path, text: str, encoding: str, newline: str) -> int:
-        write_text(path, text[: len(text) // 2], encoding=encoding, newline=newline)
+    def in_two_halves(path: Path, content: bytes) -> int:
+        write_bytes(path, content[: len(content) // 2])
         hook("half", ())
-        return write_text(path, text, encoding=encoding, newline=newline)
+        return write_bytes(path, content)
 
-    Path.write_text = in_two_halves  # type: ignore[assignment, method-assign]
+    Path.write_bytes = in_two_halves  # type: ignore[assignment, method-assign]
     sys.addaudithook(hook)
 
 

@@ -11,6 +11,7 @@ import subprocess
 import sys
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
+from functools import partial
 from pathlib import Path
 from unittest.mock import patch
 
@@ -22,6 +23,7 @@ from derive.codegen.build import print_package
 from derive.codegen.targets import TARGETS
 from derive.maps.chart import Chart
 from derive.output import files
+from tests.support.layouts import BATCHES, require_strides_of_one_ignored
 from tests.support.signatures import components_first, components_last
 
 PLAIN = ("optimization=0", "c_args=-DDUALCAY_CORE=static")
@@ -77,6 +79,11 @@ def require_one_in_all_layouts(function: Callable[..., np.ndarray], values: list
     np.testing.assert_array_equal(components_last(first, rank), last)
     np.testing.assert_array_equal(spread, last)
     np.testing.assert_array_equal(function(*(a[70] for a in values)), last[70])
+    for batch in BATCHES:
+        given = [np.resize(a, batch + a.shape[1:]) for a in values]
+        turned = [components_first(a, a.ndim - len(batch)) for a in given]
+        require_strides_of_one_ignored(function, given, np.testing.assert_array_equal)
+        require_strides_of_one_ignored(partial(function, axis=0), turned, np.testing.assert_array_equal)
 
 
 if __name__ == "__main__":

@@ -1,10 +1,11 @@
-"""Tasks for tests of processes: one never ends on its own, one waits for another process; the module imports little."""
+"""Tasks for tests of processes: two never end, one waits for another process; the module imports little."""
 
 from __future__ import annotations
 
 import os
 import tempfile
 import time
+from collections.abc import Callable
 from pathlib import Path
 
 
@@ -13,15 +14,26 @@ def stay(folder: Path) -> None:
     _, name = tempfile.mkstemp()
     (folder / str(os.getpid())).write_text(name)
     try:
-        time.sleep(60)
+        while True:
+            time.sleep(60)
     except KeyboardInterrupt:
         (folder / "interrupted").touch()
 
 
-def meet(folder: Path) -> bool:
-    """Create a file in a folder, and tell whether a second process does so within a minute."""
+def spin() -> None:
+    """Compute without end."""
+    while True:
+        pass
+
+
+def meet(folder: Path) -> int:
+    """Create a file in a folder, wait until a second process does so, and return the identity of this process."""
     (folder / str(os.getpid())).touch()
-    end = time.monotonic() + 60
-    while len([*folder.iterdir()]) < 2 and time.monotonic() < end:
+    until(lambda: len([*folder.iterdir()]) == 2)
+    return os.getpid()
+
+
+def until(reached: Callable[[], object]) -> None:
+    """Wait until a condition holds, for as long as it takes: a busy machine fails no test."""
+    while not reached():
         time.sleep(0.02)
-    return len([*folder.iterdir()]) == 2

@@ -42,7 +42,7 @@ static const double V[6] = {0.31, -0.22, 0.17, 1.5, -0.4, 0.9}, W[6] = {-0.3, 0.
         dualcay_rotation_##NAME##_twist(v, w, omega); \
         dualcay_rotation_##NAME##_twist_jacobian(V, W, jacobian); \
         dualcay_rotation_##NAME##_to_angle_axis(v, angle, u); \
-        dualcay_rotation_##NAME##_from_angle_axis(angle, u, back); \
+        dualcay_rotation_##NAME##_from_angle_axis(angle[0], u, back); \
         for (int i = 0; i < 3; ++i) \
             for (int k = 0; k < 3; ++k) { \
                 error = larger(error, std::fabs(omega[i].v[k] - jacobian[3 * i + k])); \

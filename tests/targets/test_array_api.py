@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 import subprocess
 import sys
+from functools import partial
 from itertools import product
 from pathlib import Path
 
@@ -18,8 +19,16 @@ import dualcay
 from tests.support import libraries, sampling
 from tests.support.accuracy import FUNCTIONS, Trial
 from tests.support.kernels import load
+from tests.support.layouts import BATCHES, require_strides_of_one_ignored
 from tests.support.libraries import Through
-from tests.support.signatures import SIGNATURES, assert_nearly_equal, components_first, components_last, inputs
+from tests.support.signatures import (
+    SIGNATURES,
+    assert_nearly_equal,
+    components_first,
+    components_last,
+    inputs,
+    rows_of,
+)
 
 ON_GPU = [pytest.param(library, marks=pytest.mark.gpu) for library in ("torch on a GPU", "cupy")]
 LIBRARIES = [
@@ -107,6 +116,15 @@ def test_components_first_and_broadcasting(array_api, library):
             np.testing.assert_array_equal(getattr(module, name)(values[0], values[1][0, 0])[0, 0], last[0, 0])
         one = getattr(module, name)(*(np.asarray(a[1, 2]) for a in values))
         assert_nearly_equal(one, last[1, 2])
+
+
+@pytest.mark.parametrize("axis", [-1, 0])
+def test_axes_of_length_1_may_have_any_stride(array_api, axis):
+    for name, shape in product(SIGNATURES, BATCHES[2:4]):
+        values = inputs(load(3), name, 3, shape)
+        given = rows_of(name, values) if axis == 0 else values
+        function = partial(getattr(array_api(3), name), axis=axis)
+        require_strides_of_one_ignored(function, given, assert_nearly_equal, out=False)
 
 
 @LIBRARY

@@ -1,10 +1,12 @@
-"""Rules of differentiation for JAX: chains of calls compile once, and transformations keep their results."""
+"""Rules of differentiation: they are differences of their functions; under JAX, chains of calls compile once."""
 
 from __future__ import annotations
 
 import numpy as np
 import pytest
 
+from derive.codegen.lowering.scalar_programs import SCALARS
+from derive.codegen.validation.runtime import RULED
 from tests.support import sampling
 from tests.support.libraries import LIBRARIES, QUICKLY
 
@@ -65,6 +67,114 @@ def chain(function, count):
         return w
 
     return repeated
+
+
+# --- rules run on NumPy arrays ------------------------------------------------------------------------------------
+
+STEP = 2.0**-11
+NEARLY = 1e-8
+"""Error of a difference of fourth order: STEP⁴/30 ≈ 2e-15 times a fifth derivative up to 1e6, and eps/STEP ≈ 5e-13."""
+
+OF_AXIS = ("turn", "shadow")
+"""Kernels of one vector and a turn. They have no derivative at rest; a turn is of principal vectors alone."""
+
+LEFT_OUT = {("turn", "at rest"), ("shadow", "at rest"), ("turn", "beyond")}
+
+RULED_CHARTS = pytest.mark.parametrize("chart", ["cayley3", "exponential", "sine3", "rotation.cayley3"])
+
+
+def difference(function, values, rates):
+    """Return the difference quotient of a function along the rates of its arguments."""
+
+    def at(steps):
+        return function(*(v + steps * STEP * rate for v, rate in zip(values, rates, strict=True)))
+
+    return (8 * (at(1) - at(-1)) - (at(2) - at(-2))) / (12 * STEP)
+
+
+def places(module, n):
+    """Return pairs of unequal vectors: at rest, near the identity, and beyond half a turn."""
+    near, other = (np.array(row[:n]) for row in ((0.2, -0.1, 0.15, 0.3, -0.2, 0.5), (-0.1, 0.25, 0.3, 0.1, 0.4, -0.6)))
+    far = module.from_exponential(np.array([2.0, -3.0, 1.5, 0.4, 0.7, -0.3][:n]))
+    return {"at rest": (0 * near, 0 * other), "near": (near, other), "beyond": (far, near)}
+
+
+@RULED_CHARTS
+def test_each_rule_is_the_difference_of_its_kernel(charts, chart):
+    rules, call, module = charts("_rules"), charts("_chart").Call, charts(chart)
+    n, turns = 3 if chart.startswith("rotation") else 6, module.CHART.turns[-1:]
+    tables = {**RULED, **dict.fromkeys(OF_AXIS, turns), "principal": (module.CHART.returns,)}
+    tables |= dict.fromkeys(rules.JACOBIANS, ((),))
+    assert tables.keys() == {*rules.RULES, *rules.JACOBIANS}
+    draw = np.random.default_rng(7).normal
+    for regime, vectors in places(module, n).items():
+        for name in (name for name in tables if (name, regime) not in LEFT_OUT):
+            arguments = module.CHART.kernels[name].arguments[: 1 if name in OF_AXIS else None]
+            shapes = [shape for _, shape in arguments]
+            values = [*vectors, np.array(0.375)][: len(shapes)]
+            rates = [draw(size=shape) for shape in shapes]
+            for table in tables[name]:
+                asked = call(module.CHART, name, arguments, table)
+                if name in rules.JACOBIANS:
+                    found = rules.columns(rules.Motions(module.CHART), rules.JACOBIANS[name], values)
+                    expected = rules.value_of(asked, *values)
+                else:
+                    found = rules.slope_of(asked, rules.value_of(asked, *values), values, rates)
+                    expected = difference(lambda *at, asked=asked: rules.value_of(asked, *at), values, rates)
+                error = np.max(abs(found - expected)) / np.max(abs(expected))
+                assert error < NEARLY, (name, regime, error)
+
+
+def along_a_ray(m, chart, length):
+    """Return arguments of scalar programs, by name, at a multiple of an axis; an angle alone has the same value."""
+    (angle,) = chart.scalars.unfolded(m, length**2, length)
+    _, _, known = chart.scalars.coefficient(m, angle)
+    squares = dict(zip(SCALARS["pose_scalars"].arguments, (0.5, 0.375, 0.125), strict=True))
+    return {name: share * length**2 for name, share in squares.items()} | {
+        "x": length**2, "r": length, "alpha": length, "angle": known, "fe": length / np.tan(angle / 2),
+        "y": 0 * length + 0.2, "e0": np.cos(length / 2), "size": 1 + 0 * length,
+        **{f"e{k}": u * np.sin(length / 2) for k, u in ((1, 0.48), (2, -0.6), (3, 0.64))},
+    }  # fmt: skip
+
+
+@RULED_CHARTS
+def test_slopes_are_differences_of_scalar_programs_along_a_ray(charts, chart):
+    """Weigh every column of a rule's rows; a ray alone is differentiated at a constant size, not along a path."""
+    slopes, chart = charts("_slopes"), charts(chart).CHART
+    m, edge = charts("_libraries").functions_of("x", np.ones(1)), chart.scalars.coefficient
+    programs = slopes.Ruled(chart)
+    for angle in (0.3, 1.0, 4.0):
+        length = np.array([edge(m, np.array([angle]))[0][0]])
+        for name, rule in slopes.SLOPES.items():
+            if rule is None or name == "ray":
+                continue
+
+            def given(r, name=name):
+                found = along_a_ray(m, chart, r)
+                return [found[argument] for argument in SCALARS[name].arguments]
+
+            def value(r, name=name, given=given):
+                return np.stack([0 * r + one for one in getattr(chart.scalars, name)(m, *given(r))])
+
+            found, at = getattr(chart.scalars, name)(m, *given(length)), given(length)
+            last = slopes.LAST.get(name, lambda *_: ())
+            ends = len(last(m, programs, lambda *_, found=found: found, found, at))
+            rates = difference(lambda r, given=given: np.stack(given(r)), [length], [1.0])
+            expected = difference(value, [length], [1.0])[: len(found) - ends]
+            rows = rule(m, programs, found, at)[: len(expected)]
+            total = np.stack([sum(part * rate for part, rate in zip(row, rates, strict=True)) for row in rows])
+            assert np.max(abs(total - expected)) < NEARLY * max(1, np.max(abs(expected))), (name, angle)
+
+
+@pytest.mark.parametrize(("dtype", "size"), [(np.float64, 1e-160), (np.float64, 1e-300), (np.float32, 1e-25)])
+def test_an_angle_has_its_gradient_and_hessian_where_squares_underflow(charts, dtype, size):
+    """Compare with α = 6|v|, of which third and higher powers of v are lost."""
+    u = np.array([2, -2, 1]) / 3
+    at, angle = (u * size).astype(dtype), charts("rotation.cayley3").angle
+    first, second = compiled(lambda v: (jax.grad(angle)(v), jax.jacfwd(jax.grad(angle))(v)), at)
+    np.testing.assert_allclose(first, 6 * u, rtol=0, atol=100 * np.finfo(dtype).eps)
+    across = 6 * (np.eye(3) - np.outer(u, u))
+    np.testing.assert_allclose(second * dtype(size), across, rtol=0, atol=1000 * np.finfo(dtype).eps)
 
 
 @EVERY

@@ -262,7 +262,9 @@ def test_the_package_installs_and_the_example_finds_it(folder, tmp_path):
     include = place / "include" / "dualcay"
     assert {path.relative_to(include) for path in include.rglob("*.h")} == installed
     source = written(tmp_path, "installed.c", "#include <dualcay/rotation/cayley3.h>\n")
-    run(tool("gcc"), "-fsyntax-only", f"-I{include.parent}", source)
+    config = next(place.rglob("dualcay.pc")).parent
+    told = run("env", f"PKG_CONFIG_PATH={config}", tool("pkg-config"), "--cflags", "dualcay >= 0.1").split()
+    run(tool("gcc"), "-fsyntax-only", *told, source)
     example = ROOT / "examples" / "c"
     run(cmake, "-S", example, "-B", tmp_path / "example", f"-DCMAKE_PREFIX_PATH={place}", "-DPython3_EXECUTABLE=/none")
     run(cmake, "--build", tmp_path / "example")

@@ -35,6 +35,7 @@ from derive.maps.chart import Chart
 from derive.output import files
 from tests.support import jets
 from tests.support.residues import Degree, Lifting, Residue, degree_of
+from tests.support.scalars import COMPILERS, STRICT, answers, built, cases, functions, includes
 
 HERE = Path(__file__).parent
 C = TARGETS["c"]
@@ -42,9 +43,8 @@ pytestmark = pytest.mark.compiler
 
 CHARTS = (Cayley(2), Cayley(3))
 OTHERS = (family("exponential"), family("lambert"))
-COMPILERS = [name for name in ("g++", "clang++") if shutil.which(name)] or ["g++"]
+FORMS = ("", "_rows")
 STANDARDS = ("c++11", "c++17", "c++2b")
-STRICT = ("-std=c++11", "-O0", "-Wall", "-Wextra", "-Wshadow", "-pedantic", "-Werror", "-DDUALCAY_TEMPLATES")
 PRIMES = (2**61 - 1, *(sympy.nextprime(random.Random(k).randrange(2**60, 2**61 - 2**20)) for k in range(2)))
 POINTS = 2
 JACOBIAN_ROUNDING = 2e-11
@@ -62,13 +62,6 @@ def headers(shared) -> Path:
         files.write(place, print_package((*CHARTS, *OTHERS), C, tested=False).texts)
 
     return shared("c_scalars", write)
-
-
-def built(compiler: str, source: Path, headers: Path, program: Path, *flags: str) -> Path:
-    command = [compiler, *STRICT, f"-I{headers}", f"-I{HERE}", str(source), "-o", str(program), *flags]
-    done = subprocess.run(command, capture_output=True, text=True)
-    assert done.returncode == 0, done.stderr
-    return program
 
 
 def laws(program: Path) -> dict[str, float]:
@@ -107,28 +100,31 @@ def test_every_law_detects_a_wrong_sign(headers, tmp_path):
         assert value > ROUNDING if name.endswith(("jets", "complex")) else value == 0, name
 
 
-def alone(headers: Path, chart: Chart, tmp_path: Path) -> Path:
+def alone(chart: Chart, tmp_path: Path) -> Path:
     """Write a program that compiles every function of a chart for the scalar type ``TYPE``."""
-    includes = "".join(f'#include "{inside(table, chart.name)}.h"\n' for table in C.tables)
-    command = ["g++", "-E", "-P", "-DDUALCAY_TEMPLATES", f"-I{headers}", "-xc++", "-"]
-    text = subprocess.run(command, input=includes, capture_output=True, text=True, check=True).stdout
-    names = set(re.findall(r"template <class dualcay_real> static inline void (\w+)\(", text))
-    assert {f"{prefix(chart, table)}_{name}" for table in C.tables for name in table.public} <= names
-    calls = "".join(f"reinterpret_cast<const void *>(&dualcay::{name}<TYPE >),\n" for name in sorted(names))
+    named = ((table, name, form) for table in C.tables for name in functions(table) for form in FORMS)
+    names = (f"{prefix(chart, table)}_{name}{form}" for table, name, form in named)
+    calls = "".join(f"reinterpret_cast<const void *>(&dualcay::{name}<TYPE >),\n" for name in names)
     path = tmp_path / f"{chart.name}.cpp"
     array = f"extern const void *const all[];\nconst void *const all[] = {{\n{calls}}};\n"
-    path.write_text(f'#include "scalars.h"\n{includes}{array}', encoding="utf-8")
+    path.write_text(f'#include "scalars.h"\n{includes([chart])}{array}', encoding="utf-8")
     return path
 
 
 def compile_alone(headers: Path, chart: Chart, tmp_path: Path, compiler: str, standard: str, scalar: str) -> str:
     flags = (compiler, *STRICT[1:], f"-std={standard}", f"-DTYPE={scalar}", "-Wfloat-equal", "-Wold-style-cast")
     quiet = ("-fsyntax-only", f"-I{headers}", f"-isystem{HERE}")
-    command = [*flags, *quiet, str(alone(headers, chart, tmp_path))]
+    command = [*flags, *quiet, str(alone(chart, tmp_path))]
     return subprocess.run(command, capture_output=True, text=True).stderr
 
 
-@pytest.mark.parametrize(("chart", "scalar"), [(Cayley(2), "Jet<6>"), (OTHERS[0], "float"), (OTHERS[1], "Jet<6>")])
+@pytest.mark.parametrize(
+    ("chart", "scalar"),
+    [
+        (Cayley(2), "Jet<6>"), (OTHERS[0], "float"), (OTHERS[1], "Jet<6>"),
+        (Cayley(3), "Mixed"), (OTHERS[0], "Lazy"), (OTHERS[1], "Jet<3, Jet<2> >"),
+    ],
+)  # fmt: skip
 def test_every_function_compiles_alone(chart, scalar, tmp_path, headers):
     assert compile_alone(headers, chart, tmp_path, COMPILERS[0], "c++11", scalar) == ""
 
@@ -142,12 +138,21 @@ def test_every_function_of_every_chart_compiles_alone(tmp_path):
         assert compile_alone(tmp_path / "all", chart, tmp_path, compiler, standard, scalar) == "", chart.name
 
 
-def test_a_missing_overload_is_refused(tmp_path, headers):
+@pytest.mark.parametrize(
+    ("scalar", "old", "new"),
+    [
+        ("Mixed", "return dualcay_number(a) operation b;", "return a operation b.value;"),
+        ("Lazy", "return Result(Value(a.value operation b.value));", "return a.value operation b.value;"),
+        ("Jet<3, Jet<2> >", "typename Class::Scalar>", "typename Class::None>"),
+    ],
+)
+def test_an_altered_number_is_refused(tmp_path, headers, scalar, old, new):
     wrong = tmp_path / "headers"
     shutil.copytree(headers, wrong)
     text = (wrong / "dualcay.h").read_text(encoding="utf-8")
-    (wrong / "dualcay.h").write_text(re.sub(r".*dualcay_atan2\(const Real &y, int x\).*", "", text), encoding="utf-8")
-    assert "dualcay_atan2" in compile_alone(wrong, Cayley(2), tmp_path, COMPILERS[0], "c++11", "Jet<6>")
+    assert old in text
+    (wrong / "dualcay.h").write_text(text.replace(old, new), encoding="utf-8")
+    assert "error" in compile_alone(wrong, Cayley(2), tmp_path, COMPILERS[0], "c++11", scalar)
 
 
 # --- derivatives by jets ----------------------------------------------------------------------------------------
@@ -205,22 +210,11 @@ def expected(chart: Cayley, row: Function, arguments: Sequence[Sequence[Any]]) -
 
 def dispatcher(folder: Path) -> Path:
     """Write a program that reads a prime, a function number and arguments; it prints results modulo the prime."""
-    includes = "".join(f'#include "{inside(table, chart.name)}.h"\n' for chart in CHARTS for table in C.tables)
-    cases, index = [], 0
-    for chart in CHARTS:
-        for table, row in rational(chart):
-            size = sum(array.size for array in row.arguments)
-            places = [sum(array.size for array in row.arguments[:i]) for i in range(len(row.arguments))]
-            made = [sum(array.size for array in row.results[:i]) for i in range(len(row.results))]
-            passed = ", ".join([*(f"given + {at}" for at in places), *(f"made + {at}" for at in made)])
-            results = sum(array.size for array in row.results)
-            called = f"{prefix(chart, table)}_{row.name}({passed})"
-            cases.append(f"case {index}: read(given, {size}); {called}; show(made, {results}); break;")
-            index += 1
+    called = [(chart, table, row) for chart in CHARTS for table, row in rational(chart)]
     path = folder / "fields.cpp"
     path.write_text(
         f"""#include "scalars.h"
-{includes}
+{includes(CHARTS)}
 using namespace dualcay;
 static void read(Residue *to, int n)
 {{
@@ -237,7 +231,7 @@ int main()
     while (std::scanf("%llu %d", &prime, &function) == 2) {{
         Residue::prime = prime;
         switch (function) {{
-            {chr(10).join(cases)}
+            {cases(called)}
         }}
     }}
 }}
@@ -276,15 +270,10 @@ def queries(seed: int) -> list[Query]:
     ]  # fmt: skip
 
 
-def answers(program: Path, asked: Sequence[Query]) -> list[list[int]]:
-    given = "".join(f"{query.line}\n" for query in asked)
-    said = subprocess.run([str(program)], input=given, capture_output=True, text=True, check=True).stdout
-    return [list(map(int, line.split())) for line in said.splitlines()]
-
-
 def differing(program: Path, asked: Sequence[Query]) -> set[str]:
     """Return the names of functions with a result that differs from the formula."""
-    found = zip(asked, answers(program, asked), strict=True)
+    said = answers(program, (query.line for query in asked))
+    found = zip(asked, (list(map(int, numbers)) for numbers in said), strict=True)
     return {
         f"{prefix(query.chart, query.table)}_{query.row.name}"
         for query, got in found

@@ -80,20 +80,30 @@ import re
 import numpy as np
 from dualcay_native import cayley3
 from dualcay_native.rotation import cayley3 as rotations
+from tests.support.layouts import restrided
 
 functions = [(getattr(m, name), directly) for m in (cayley3, rotations) for name, directly in m.DIRECT.items()]
 draw, called, direct = np.random.default_rng(3), 0, 0
 for function, directly in functions:
     parts = re.findall(r"[(]([^)]*)[)]", function.signature)
     *arguments, result = [tuple(map(int, re.findall(r"[0-9]+", part))) for part in parts]
-    for shape in ((), (1,), (63,), (2, 65), (0,)):  # around the size of a tile
+    for shape in ((), (1,), (63,), (2, 65), (65, 1), (1, 65), (0,), (0, 1)):  # around the size of a tile
         for dtype in (np.float32, np.float64, np.longdouble):
             values = [draw.normal(size=shape + part).astype(dtype) for part in arguments]
-            for given in (values, [*map(np.asfortranarray, values)], [np.repeat(a, 2, -1)[..., ::2] for a in values]):
+            spread = [np.repeat(a, 2, -1)[..., ::2] if a.ndim else a for a in values]
+            forms = [values, [np.array(a, order="F") for a in values], spread]
+            forms += zip(*map(restrided, values)) if 1 in shape else ()
+            expected = function(*values)
+            for given in forms:
                 for order in "CF":
-                    function(*given, out=np.empty(shape + result, dtype, order))
-                    called += 1
-                direct += directly(*given) is not None
+                    out = np.empty(shape + result, dtype, order)
+                    for target in restrided(out) if 1 in shape else [out]:
+                        np.testing.assert_array_equal(function(*given, out=target), expected)
+                        called += 1
+                found = directly(*given)
+                if found is not None:
+                    np.testing.assert_array_equal(found, expected)
+                    direct += 1
             if 0 not in shape:
                 direct += directly(values[0], *(value[(0,) * len(shape)] for value in values[1:])) is not None
 print(called, direct)
@@ -101,11 +111,14 @@ print(called, direct)
 
 
 def test_no_access_is_out_of_bounds(shared: Callable[[str, Callable[[Path], object]], Path]) -> None:
-    site = shared("native_sanitized", lambda place: build(place, [Cayley(3)], *SANITIZED)) / "site"
+    """Run every compiled function in all layouts, also with axes of length 1 of any stride, under AddressSanitizer."""
     where = [str(find()), "-print-file-name=libasan.so"]
     library = subprocess.run(where, capture_output=True, text=True, check=True).stdout.strip()
-    assert Path(library).is_file(), f"these tests need AddressSanitizer, which {where[0]} has not"
-    environment = {**os.environ, "LD_PRELOAD": library, "ASAN_OPTIONS": "detect_leaks=0", "PYTHONPATH": str(site)}
+    if not Path(library).is_file():
+        pytest.skip(f"AddressSanitizer is not installed for {where[0]}")
+    site = shared("native_sanitized", lambda place: build(place, [Cayley(3)], *SANITIZED)) / "site"
+    paths = os.pathsep.join(map(str, (site, Path(__file__).parents[2])))
+    environment = {**os.environ, "LD_PRELOAD": library, "ASAN_OPTIONS": "detect_leaks=0", "PYTHONPATH": paths}
     done = subprocess.run([sys.executable, "-c", CALLS], env=environment, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr[-3000:]
     called, direct = map(int, done.stdout.split())

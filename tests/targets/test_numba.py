@@ -8,6 +8,7 @@ import shutil
 import subprocess
 import sys
 from fractions import Fraction
+from functools import partial
 from pathlib import Path
 from types import ModuleType
 
@@ -21,7 +22,15 @@ from derive.codegen.targets import numba
 from tests.support import sampling
 from tests.support.accuracy import FUNCTIONS, Trial
 from tests.support.kernels import load
-from tests.support.signatures import SIGNATURES, assert_nearly_equal, components_first, components_last, inputs
+from tests.support.layouts import BATCHES, require_strides_of_one_ignored
+from tests.support.signatures import (
+    SIGNATURES,
+    assert_nearly_equal,
+    components_first,
+    components_last,
+    inputs,
+    rows_of,
+)
 
 pytestmark = pytest.mark.thorough
 
@@ -95,6 +104,15 @@ def test_out_is_written_and_may_overlap(compiled):
     assert_nearly_equal(np.ascontiguousarray(wide), load(ORDER).pose(v), eps=40)
     with pytest.raises(ValueError, match=r"out must have shape \(4, 4, 4\)"):
         module.pose(v, out=np.empty((4, 4)))
+
+
+@pytest.mark.parametrize("name", KINDS.values())
+def test_axes_of_length_1_may_have_any_stride(compiled, name):
+    for shape in BATCHES:
+        values = inputs(load(ORDER), name, ORDER, shape)
+        for axis, given in ((-1, values), (0, rows_of(name, values))):
+            function = partial(getattr(compiled(ORDER), name), axis=axis)
+            require_strides_of_one_ignored(function, given, assert_nearly_equal)
 
 
 def test_complex_vectors(compiled):

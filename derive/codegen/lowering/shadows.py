@@ -166,12 +166,13 @@ def angle(trace: Geometry) -> Results:
 
 
 def from_screw(trace: Geometry) -> Results:
-    """Vector v = φ(α) u, in dual numbers."""
+    """Vector v = φ(α) u, in dual numbers; NaN if u is zero, as an axis of no direction."""
     angle, distance = trace.inputs("angle", ("alpha", "alphao"))
     line = trace.point("line", "u")
     u, moment = line.v.re, line.v.du
     size, slope, _ = trace.ask("coefficient", (angle,))
-    every = trace.name("every", sum((distance, *line.components), start=angle))
+    inverse = trace.name("inverse", trace.div(1, line.x))
+    every = trace.name("every", sum((distance, *line.components, inverse), start=angle))
     size, size_du = trace.name("size", size + (every - every)), trace.name("ro", distance * slope)
     return *trace.inside(size * u), *(size * moment + size_du * u)
 

@@ -43,6 +43,9 @@ STORED = {"exponential_scalars": "stored", "followed": "stored", "displacement":
 NOTHING = re.compile(r"(?<![-+*/] )\b(\w+) - \1(?= \+|\)|$)", re.MULTILINE)
 """Value minus itself: 0, or NaN unless it is finite."""
 
+SCALE = re.compile(r"^    (total|extent) = (m\.abs.*)$", re.MULTILINE)
+"""Sum of sizes by which a vector is divided before it is squared; results do not depend on it."""
+
 VALUE = re.compile(r"^    (\w+) = (\(\n(?:        .*\n)+    \)|(?!m\.where).*[*/].*)$", re.MULTILINE)
 """Statement that multiplies or divides."""
 
@@ -85,11 +88,11 @@ class ArrayApi(PythonTarget):
 
 
 def held(forms: str) -> str:
-    """Return the text of a program with zeros of the form ``a - a`` as constants.
+    """Return the text of a program with zeros of the form ``a - a`` and scales as constants.
 
-    Their two derivatives would cancel, at the cost of digits.
+    Their derivatives would cancel, at the cost of digits; that by a scale has its square, which may underflow.
     """
-    return NOTHING.sub(r"m.held(\1 - \1)", forms)
+    return SCALE.sub(r"    \1 = m.held(\2)", NOTHING.sub(r"m.held(\1 - \1)", forms))
 
 
 def once(forms: str) -> str:

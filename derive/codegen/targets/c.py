@@ -15,6 +15,7 @@ from functools import partial
 from pathlib import Path
 from typing import Any, NamedTuple
 
+from ... import about
 from ...maps.cayley import EQUATIONS
 from ...maps.chart import Chart
 from ..lowered import ChartPrograms, geometry, printed_geometry
@@ -52,22 +53,26 @@ def interface(row: Function, table: Table) -> Data:
     """Return the parameters of both forms of a function, and the arguments that they pass to its core."""
     given, made = ([a.called(NAMES.get(a.name, a.name)) for a in arrays] for arrays in (row.arguments, row.results))
     numbers = next((names for argument, names in programs(table)[row.kernel].inputs if argument == c99.TABLE), ())
-    constants = [f"DUALCAY_NUMBER({c})" if "." in c else c99.real(c) for c in row.constants] or numbers
+    constants = [f"DUALCAY_NUMBER({c if '.' in c else f'{c}.0'})" for c in row.constants] or numbers
     branch = ["int branch"] if row.branch else []
 
-    def form(join: Callable[[list[str]], str], parameter: str, passed: str, first: Sequence[str] = ()) -> Data:
-        before, after = ([parameter.format(a.name, a.size) for a in arrays] for arrays in (given, made))
-        taken, stored = ([passed.format(a.name) for a in arrays] for arrays in (given, made))
-        return {
-            "parameters": join([*first, *(f"const {text}" for text in before), *branch, *after]),
-            "passed": c99.filled([*taken, *constants, *stored]),
-        }
+    def form(parameters: str, place: Callable[[Array], str]) -> Data:
+        read, stored = (
+            {array.name: f"DUALCAY_{way}({array.size}, {place(array)})" for array in (*given, *made)}
+            for way in ("GIVEN", "MADE")
+        )
+        passed = [*(read[a.name] for a in given), *constants, *(stored[a.name] for a in made)]
+        return {"parameters": parameters, "passed": c99.filled(passed), "given": read, "made": stored}
 
+    plain = [f"{c99.REAL} {a.name}" if a.size == 1 else f"const {c99.REAL} {a.name}[{a.size}]" for a in given]
+    plain += [*branch, *(f"{c99.REAL} {a.name}[{a.size}]" for a in made)]
+    rows = [f"const {c99.REAL} *{a.name}, size_t {a.name}_stride" for a in given]
+    rows += [*branch, *(f"{c99.REAL} *{a.name}, size_t {a.name}_stride" for a in made)]
     return {
         "name": row.name,
         "kernel": row.kernel,
-        "plain": form(", ".join, f"{c99.REAL} {{0}}[{{1}}]", "{0}, 1"),
-        "rows": form(c99.filled, f"{c99.REAL} *{{0}}, size_t {{0}}_stride", "{0} + j, {0}_stride", ["size_t n"]),
+        "plain": form(", ".join(plain), lambda a: f"{'&' if a.size == 1 and a in given else ''}{a.name}, 1"),
+        "rows": form(c99.filled(["size_t n", *rows]), lambda a: f"{a.name} + j, {a.name}_stride"),
     }
 
 
@@ -154,7 +159,7 @@ class C(Target):
             "dualcay.h": dict,
             **{inside(table, GEOMETRY): partial(shared_geometry, table) for table in self.tables},
             "differential.h": dict,
-            "CMakeLists.txt": partial(dict, folders=[table.name or "." for table in self.tables]),
+            "CMakeLists.txt": partial(dict, version=about.__version__, folders=[t.name or "." for t in self.tables]),
         }
 
     def module(self, facts: Facts) -> Data:

@@ -65,7 +65,7 @@ class Dialect:
             return (f"over_{literal}" if self.together else f"{self.calls[RECIPROCAL]}({like}, {literal})"), ATOM
         args = [self.operand(arg, inlined) for arg in step.args]
         if step.op in self.calls:
-            return f"{self.calls[step.op]}({', '.join(text for text, _ in args)})", ATOM
+            return f"{self.calls[step.op]}({', '.join(self.passed(text) for text, _ in args)})", ATOM
         if step.op == "where":
             condition, first, second = (bracket(text, SELECTION + 1) for text in args)
             return f"{condition} ? {self.passed(first)} : {self.passed(second)}", SELECTION

@@ -12,13 +12,15 @@ import math
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import partial
+from pathlib import Path
 
 from ... import about
+from ...maps.chart import Chart
 from ..lowered import geometry
 from ..package import Data, Facts, fingerprint
 from ..programs.program import Program
 from ..rows import Function, Table, inside
-from ..validation import c_text
+from ..validation import c_text, compiled
 from . import c99
 from .c import C
 
@@ -124,3 +126,8 @@ class Native(C):
             }
             found[inside(programs.table, f"{facts.chart.name}.c")] = ("module.c", data)
         return found
+
+    def test(self, folder: Path, chart: Chart) -> int | None:
+        """Run the differential test of the headers, after the extension modules are read by the compiler."""
+        compiled.require_modules(folder, [inside(table, f"{chart.name}.c") for table in self.tables])
+        return super().test(folder, chart)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import itertools
 import random
+import sys
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import partial
@@ -106,14 +107,15 @@ class Kernel:
         return self._one(given, _consecutive(cells, 0, self.sizes))
 
     def rows(self, batch: Sequence[Sequence[Flat]]) -> list[Flat]:
-        """Call the form for several values, with a different stride between the rows of each array."""
+        """Call the form for several values, with another stride for each array; a row alone may have any."""
         sizes = [*map(len, batch[0]), *self.sizes]
         strides = range(len(batch) + 1, len(batch) + 1 + len(sizes))
         arrays = [_unset(size * stride) for size, stride in zip(sizes, strides, strict=True)]
         for j, arguments in enumerate(batch):
             for pointer, stride, argument in zip(arrays, strides, arguments):
                 pointer.cells[j::stride] = argument
-        passed = [item for pair in zip(arrays, strides, strict=True) for item in pair]
+        told = (stride if size > 1 else sys.maxsize for stride, size in zip(strides, sizes, strict=True))
+        passed = [item for pair in zip(arrays, told, strict=True) for item in pair]
         split = 2 * len(batch[0])
         self.unit.call(f"{self.name}_rows", len(batch), *passed[:split], *self.branch, *passed[split:])
         made = [*zip(arrays, strides, sizes, strict=True)][len(batch[0]) :]
@@ -122,7 +124,9 @@ class Kernel:
         return [tuple(p[i * stride + j] for p, stride, n in made for i in range(n)) for j in range(len(batch))]
 
     def _one(self, given: Sequence[Pointer], results: Sequence[Pointer]) -> Flat:
-        self.unit.call(self.name, *given, *self.branch, *results)
+        sizes = [array.size for array in self.row.arguments]
+        passed = [pointer[0] if size == 1 else pointer for pointer, size in zip(given, sizes, strict=True)]
+        self.unit.call(self.name, *passed, *self.branch, *results)
         return tuple(pointer[i] for pointer, size in zip(results, self.sizes, strict=True) for i in range(size))
 
 

@@ -1,4 +1,4 @@
-"""Compile and run the differential test of a C header, and count the calls that agree."""
+"""Compile and run the differential test of a C header; read extension modules as a compiler does."""
 
 from __future__ import annotations
 
@@ -7,15 +7,22 @@ import re
 import shlex
 import shutil
 import subprocess
-import tempfile
+import sysconfig
+from collections.abc import Iterable
 from pathlib import Path
 
+import numpy as np
+
 from ...maps.chart import Chart
+from ...scratch import scratch
+from ...workers import SlowError, run
 from .batches import ValidationFailed
 
 TYPES = ("double", "float")
 COMPILERS = ("cc", "gcc", "clang")
 SECONDS = 300
+"""Processor time that the compiler, and then the test, may take."""
+
 FLAGS = ("-std=c99", "-DDUALCAY_CORE=static inline")
 """Flags without an optimisation, with cores that are not inlined: compilation takes most of the time, and an eighth.
 
@@ -38,16 +45,39 @@ def test(folder: Path, chart: Chart) -> int | None:
     if command is None:
         return None
     source = folder / f"test_{chart.name}.c"
-    with tempfile.TemporaryDirectory() as build:
-        return sum(_run(command, source, real, Path(build) / real) for real in TYPES)
+    with scratch() as build:
+        return sum(_run(command, source, real, build / real) for real in TYPES)
+
+
+def require_modules(folder: Path, sources: Iterable[str]) -> None:
+    """Require extension modules that a compiler understands in all types, where one is found with Python's headers."""
+    command, headers = compiler(), [sysconfig.get_path("include"), np.get_include()]
+    if command is None or not Path(headers[0], "Python.h").is_file():
+        return
+    flags = ["-std=c99", "-fsyntax-only", "-Werror=implicit", *(f"-isystem{header}" for header in headers)]
+    for source in sources:
+        for real in ("float", "long double"):
+            _compile(command, folder / source, real, flags)
+        _compile(command, folder / source, "double", [*flags, "-DDUALCAY_IS_MODULE"])
+
+
+def _compile(command: list[str], source: Path, real: str, flags: Iterable[str]) -> None:
+    made = _limited([*command, *flags, f"-DDUALCAY_REAL={real}", str(source), "-lm"], source, real)
+    if made.returncode:
+        raise ValidationFailed(f"{source.name} does not compile ({real}):\n{made.stderr.strip()}")
+
+
+def _limited(command: list[str], source: Path, real: str) -> subprocess.CompletedProcess[str]:
+    """Run a command within `SECONDS` of processor time."""
+    try:
+        return run(command, SECONDS)
+    except SlowError as error:
+        raise ValidationFailed(f"{source.name} ({real}): {error}") from None
 
 
 def _run(command: list[str], source: Path, real: str, program: Path) -> int:
-    flags = [*FLAGS, f"-DDUALCAY_REAL={real}", str(source), "-o", str(program), "-lm"]
-    made = subprocess.run([*command, *flags], capture_output=True, text=True, timeout=SECONDS, check=False)
-    if made.returncode:
-        raise ValidationFailed(f"{source.name} does not compile ({real}):\n{made.stderr.strip()}")
-    ran = subprocess.run([str(program)], capture_output=True, text=True, timeout=SECONDS, check=False)
+    _compile(command, source, real, [*FLAGS, "-o", str(program)])
+    ran = _limited([str(program)], source, real)
     found = re.search(r": (\d+) calls agree", ran.stdout)
     if ran.returncode or not found:
         lines = [line for line in ran.stdout.splitlines() if "FAILED" in line]

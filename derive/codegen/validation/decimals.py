@@ -13,8 +13,8 @@ import mpmath
 from ...maps.chart import Chart
 
 EXACT_DIGITS = 50
-CONSTANTS_ERROR = mpmath.mpf(10) ** -40  # error of printed constants, which have 40 digits
-CONDITION_MAX = mpmath.mpf(10) ** 8  # largest growth of errors from constants and scalars to results
+SCALARS_ERROR = mpmath.mpf(10) ** -40  # error of scalars of 50 digits, of which cancellation takes ten at most
+CONDITION_MAX = mpmath.mpf(10) ** 8  # largest growth of errors from scalars to results
 NUMBERS = decimal.Context(prec=EXACT_DIGITS, Emin=decimal.MIN_EMIN, Emax=decimal.MAX_EMAX, traps=[])
 """Context without traps: a selection also computes the side not taken, where results may be NaN or infinite."""
 
@@ -129,7 +129,7 @@ def _binary(value: decimal.Decimal) -> Any:
 
 def tolerance(chart: Chart, remainder: float = 0.0) -> Decimal:
     """Return the largest allowed error of 50-digit results, relative to 1 plus their size."""
-    return Decimal(CONDITION_MAX * max(CONSTANTS_ERROR, mpmath.mpf(chart.remainder), mpmath.mpf(remainder)))
+    return Decimal(CONDITION_MAX * max(SCALARS_ERROR, mpmath.mpf(chart.remainder), mpmath.mpf(remainder)))
 
 
 def close(got: Any, expected: Any, tolerance: Decimal) -> bool:

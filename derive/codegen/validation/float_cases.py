@@ -11,7 +11,7 @@ from __future__ import annotations
 import random
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
-from functools import cached_property, lru_cache
+from functools import cached_property, lru_cache, partial
 from typing import Any
 
 import mpmath
@@ -89,7 +89,8 @@ def cases(chart: Chart, table: Table = POSES, names: frozenset[str] | None = Non
     with mpmath.workdps(EXACT_DIGITS):
         at = vectors_of(chart)
         drawn = (case for case in restricted(_seeded(at), table) if case.function in wanted)
-        found = [FloatCase(c.row, c.branch, c.arguments, c.compute, at) for c in drawn]
+        computed = ((c, partial(value, at, c.row, c.branch, c.arguments)) for c in drawn)  # a rotated point, not moved
+        found = [FloatCase(c.row, c.branch, c.arguments, compute, at) for c, compute in computed]
         found = [case for case in found if all(map(mpmath.isfinite, case.result))]  # no v beyond an early edge
     require("a call in floats", wanted, (case.function for case in found))
     order = list(table.functions)

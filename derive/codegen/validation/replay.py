@@ -199,7 +199,7 @@ class Caller:
         return list(map(np.asarray, found if isinstance(found, tuple) else (found,)))
 
     def _ways(self, group: Group, index: Array, axis: int) -> None:
-        """Check calls on strided, broadcast and overlapping arrays against the plain call on the same numbers."""
+        """Check strided, broadcast and overlapping arrays, and axes of length 1, against the plain call."""
         given, plain = group.given(index, self.library.dtypes[0], axis), self.check(group, index, axis=axis)
 
         def same(how: str, arrays: Sequence[Array], wanted: Sequence[Array] = plain, **options: Any) -> list[Array]:
@@ -210,6 +210,8 @@ class Caller:
             return found
 
         same("strided", [_strided(array) for array in given])
+        alone: Any = np.s_[:, np.newaxis] if axis == -1 else np.s_[..., np.newaxis]  # such an axis has the stride 0
+        same("single-row", [array[alone] for array in given], [part[alone] for part in plain])
         for place, array in enumerate(given):
             before, after = given[:place], given[place + 1 :]
             if len(given) > 1:

@@ -14,6 +14,7 @@ from __future__ import annotations
 import importlib
 import pkgutil
 import re
+import sys
 from typing import TYPE_CHECKING, Any
 
 __all__ = ["backend"]
@@ -34,7 +35,10 @@ if not TYPE_CHECKING:  # type checkers find the modules in the folder and must s
         if order or re.fullmatch(r"exponential|orthographic|lambert|breusing|wiener_milenkovic|reduced_euler_rodrigues|sine[1-9]\d*|scaled[1-9]\d*", name):
             chosen = f"-n {order[1]}" if order else f"--family {name}"
             command = f"dualcay generate {chosen} -o FOLDER"
-            raise ImportError(f"no {name} in {__name__!r} ({there}): write it with  {command}", name=f"{__name__}.{name}")
+            if sys._getframe(1).f_code.co_name == "_handle_fromlist":  # "from … import name" hides other errors' text
+                text = f"no {name} in {__name__!r} ({there}): write it with  {command}"
+                raise ImportError(text, name=f"{__name__}.{name}")
+            there += f"; write it with  {command}"
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}; {there}")
 
 

@@ -439,11 +439,13 @@ def from_tensor(m: Any, c: Any, R: Components) -> Result:
 
 
 def from_angle_axis(m: Any, c: Any, angle: Components, line: Components) -> Result:
-    """Vector v = φ(α) u, in dual numbers."""
+    """Vector v = φ(α) u, in dual numbers; NaN if u is zero, as an axis of no direction."""
     alpha, = angle
     u1, u2, u3 = line
     r, _, _ = c.coefficient(m, alpha)
-    every = alpha + u1 + u2 + u3
+    x = u1 * u1 + u2 * u2 + u3 * u3
+    inverse = 1 / x
+    every = alpha + u1 + u2 + u3 + inverse
     size = r + (every - every)
     made1 = u1 * size
     made2 = u2 * size

@@ -868,7 +868,7 @@ class RotationKernels(Kernels):
 
         Parameters
         ----------
-        v2, v1 : array, shape (..., 3)
+        v1, v2 : array, shape (..., 3)
             Vectors φ(α) u of the chart (dimensionless). Complex numbers are a TypeError.
         t : array, shape (...)
             Fraction of the motion, any number; broadcasts with the batch.

@@ -10,7 +10,7 @@ import jax
 import jax.numpy as jnp
 
 from ._chart import Array, Call
-from ._rules import Values, slope_of, value_of
+from ._rules import Values, slope_of, text_of, value_of
 
 
 def held(value: Any) -> Any:
@@ -74,7 +74,13 @@ def ruled(kernel_call: Call) -> Callable[..., Array]:
         at_result, at_values = jax.lax.optimization_barrier((result, values))
         return result, compiled_slope(at_result, at_values, rates)
 
-    return compiled
+    return jax.jit(compiled)
+
+
+@cache
+def unruled(kernel_call: Call, axis: int) -> Callable[..., Array]:
+    """Return a kernel without a rule, compiled once for all calls with equal shapes."""
+    return jax.jit(partial(text_of, kernel_call, axis))
 
 
 def derivative(function: Callable[..., Array], values: Values, rates: Values) -> Array:

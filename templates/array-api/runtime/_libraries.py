@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-import importlib
 import sys
-from collections.abc import Sequence
+from collections.abc import Callable, Mapping, Sequence
 from operator import add
 from typing import Any
 
@@ -90,6 +89,10 @@ class Namespace:
     def stack(self, arrays: list[Array], axis: int) -> Array:
         return self.xp.stack(arrays, axis=axis)
 
+    def moved(self, array: Array, source: Any, target: Any) -> Array:
+        """Return an array with one or several axes moved to other places."""
+        return self.xp.moveaxis(array, source, target)
+
     def broadcast(self, array: Array, shape: Shape) -> Array:
         return array if tuple(array.shape) == shape else self.xp.broadcast_to(array, shape)
 
@@ -133,23 +136,29 @@ class Ruled(Namespace):
     by_text: tuple[str, ...] = ()
     """Kernels whose rules are not used."""
 
-    library = ""
-    """Module of this package with functions of the library."""
+    own: Callable[[], Any]
+    """Function that imports the module of this package for the library; compilers follow an import statement."""
 
     def __init__(self, xp: Any, like: Array) -> None:
         super().__init__(xp, like)
-        own = importlib.import_module(self.library, __package__)
+        own = self.own()
         self.held, self.carry = own.held, own.carry  # type: ignore[method-assign]
-        self.ruled, self.derivative = own.ruled, own.derivative
+        self.ruled, self.unruled, self.derivative = own.ruled, own.unruled, own.derivative
 
     def scalars(self, chart: Chart) -> Any:
-        return importlib.import_module("._slopes", __package__).Ruled(chart)
+        from ._slopes import Ruled
+
+        return Ruled(chart)
 
 
 class Jax(Ruled, Unplaced):
     """Functions of JAX."""
 
-    library = "._jax"
+    @staticmethod
+    def own() -> Any:
+        from . import _jax
+
+        return _jax
 
     def __init__(self, xp: Any, like: Array) -> None:
         super().__init__(xp, like)
@@ -158,15 +167,14 @@ class Jax(Ruled, Unplaced):
         self.tan = lambda angle: self.once(tan(angle))
 
     def apart(self, values: Sequence[Any]) -> Sequence[Any]:
-        found: Sequence[Any] = importlib.import_module(self.library, __package__).apart(values)
+        found: Sequence[Any] = self.own().apart(values)
         return found
 
 
-class Torch(Ruled):
-    """Functions of PyTorch: its tensors have no namespace attribute, and its functions take ``dim``."""
+class Followed(Namespace):
+    """Functions of PyTorch, which take ``dim``; a compiler that follows the text differentiates it without rules."""
 
-    by_text = ("twist", "rate")  # linear in the last argument; backward mode needs their text for that
-    library = "._torch"
+    eager = False
 
     def default(self) -> Any:
         return self.xp.get_default_dtype()
@@ -176,6 +184,39 @@ class Torch(Ruled):
 
     def stack(self, arrays: list[Array], axis: int) -> Array:
         return self.xp.stack(arrays, dim=axis)
+
+    def moved(self, array: Array, source: Any, target: Any) -> Array:
+        return self.xp.movedim(array, source, target)
+
+
+class Torch(Ruled, Followed):
+    """Functions of PyTorch with rules."""
+
+    by_text = ("twist", "rate")  # linear in the last argument; backward mode needs their text for that
+
+    @staticmethod
+    def own() -> Any:
+        from . import _torch
+
+        return _torch
+
+
+class Compiled(Torch):
+    """Functions with rules in ``torch.compile``, which cannot follow rules that differentiate others."""
+
+    by_text = (
+        *Torch.by_text, "compose_jacobians", "between_jacobians", "retract_jacobians", "body_retract_jacobians",
+    )  # fmt: skip
+
+
+def of_torch(xp: Any, like: Array) -> Namespace:
+    """Return functions of PyTorch, with rules unless a compiler would lose them.
+
+    ``torch.compile`` keeps rules for ``backward`` alone; tracers and exporters keep none.
+    """
+    if not (xp.compiler.is_compiling() or xp.jit.is_tracing()):
+        return Torch(xp, like)
+    return (Compiled if xp.compiler.is_dynamo_compiling() and like.requires_grad else Followed)(xp, like)
 
 
 class Dask(Unplaced):
@@ -193,7 +234,7 @@ class Dask(Unplaced):
 UNNAMED = {"torch": "torch", "dask": "dask.array", "cupy": "cupy"}
 """Modules with the functions of libraries whose arrays may lack ``__array_namespace__``, by library."""
 
-KINDS = {"torch": Torch, "dask": Dask, "jax": Jax, "cupy": Unplaced}
+KINDS: Mapping[str, Callable[[Any, Array], Namespace]] = {"torch": of_torch, "dask": Dask, "jax": Jax, "cupy": Unplaced}
 """Namespaces of libraries that deviate from the standard, by library."""
 
 
@@ -227,8 +268,8 @@ def library_of(array: Any) -> Any:
     """Return the namespace of an array, or None if the value is not an array."""
     if hasattr(array, "__array_namespace__"):
         return array.__array_namespace__()
-    name = UNNAMED.get(type(array).__module__.partition(".")[0])
-    return name and sys.modules[name]
+    libraries = (base.__module__.partition(".")[0] for base in type(array).__mro__)
+    return next((sys.modules[UNNAMED[library]] for library in libraries if library in UNNAMED), None)
 
 
 def no_array(name: str, value: Any) -> TypeError:

@@ -117,7 +117,8 @@ def _turned(at: Motions, side: tuple[str, ...], v: Array, rate: Array, v_dot: Ar
 
 
 def _product(matrix: Array, vector: Array) -> Array:
-    return (matrix @ vector[..., None])[..., 0]
+    # libraries may compute products of matrices with fewer digits
+    return functions_of("matrix", matrix).xp.sum(matrix * vector[..., None, :], axis=-1)
 
 
 def _shadow(at: Motions, turn: tuple[str, ...], w: Array, values: Values, rates: Values) -> Array:
@@ -205,17 +206,22 @@ def columns(at: Motions, name: str, values: Values) -> Array:
 def run(m: Any, kernel_call: Call, axis: int, arrays: Values) -> Array:
     """Run a kernel on checked arrays, by its rule if it has one."""
     if kernel_call.name in m.by_text or kernel_call.name not in {*RULES, *JACOBIANS}:
-        return computed(m, kernel_call, axis, arrays)
+        found: Array = m.unruled(kernel_call, axis)(*arrays)
+        return found
     parts = [part for _, part in kernel_call.arguments]
-    last = [m.xp.moveaxis(a, 0, -1) if axis == 0 and part else a for a, part in zip(arrays, parts, strict=True)]
+    last = [m.moved(a, 0, -1) if axis == 0 and part else a for a, part in zip(arrays, parts, strict=True)]
     found = m.ruled(kernel_call)(*last)
-    return m.xp.moveaxis(found, -1, 0) if axis == 0 else found
+    return m.moved(found, -1, 0) if axis == 0 else found
 
 
 def value_of(kernel_call: Call, *given: Array) -> Array:
     """Return the result of a kernel on arrays whose components are last."""
-    m = functions_of(kernel_call.name, given[0])
-    return m.apart([computed(m, kernel_call, -1, given)])[0]
+    return functions_of(kernel_call.name, given[0]).once(text_of(kernel_call, -1, *given))
+
+
+def text_of(kernel_call: Call, axis: int, *given: Array) -> Array:
+    """Return the result of a kernel by its text."""
+    return computed(functions_of(kernel_call.name, given[0]), kernel_call, axis, given)
 
 
 def slope_of(kernel_call: Call, result: Array, values: Values, rates: Values) -> Array:

@@ -8,7 +8,6 @@ gradients are finite wherever the result is finite.
 
 from __future__ import annotations
 
-import importlib
 import math
 from collections.abc import Sequence
 from fractions import Fraction
@@ -33,8 +32,9 @@ def call(chart: Chart, name: str, axis: int, *values: Array, table: tuple[str, .
     arrays = [as_array(m, name, value, part, axis, kernel.real) for (name, part), value in pairs]
     asked = Call(chart, name, arguments, table)
     if m.differentiates:
-        found: Array = importlib.import_module("._rules", __package__).run(m, asked, axis, arrays)
-        return found
+        from ._rules import run  # imports this module; compilers follow an import, but no call that imports
+
+        return run(m, asked, axis, arrays)
     return computed(m, asked, axis, arrays)
 
 
@@ -86,11 +86,12 @@ def _batch(shapes: dict[str, Shape]) -> Shape:
     """Return the broadcast shape of the batches."""
     longest = max(map(len, shapes.values()))
     aligned = [(1,) * (longest - len(shape)) + shape for shape in shapes.values()]
-    for sizes in zip(*aligned, strict=True):
-        if len({size for size in sizes if size != 1}) > 1:
-            given = " and ".join(f"{shape} of {name}" for name, shape in shapes.items())
-            raise ValueError(f"batch shapes must broadcast together, got {given}")
-    return tuple(next((size for size in sizes if size != 1), 1) for sizes in zip(*aligned, strict=True))
+    batch = [next((size for size in sizes if size != 1), 1) for sizes in zip(*aligned, strict=True)]
+    # sizes that a compiler does not know can be compared, but not put into a set
+    if any(size not in (1, full) for shape in aligned for size, full in zip(shape, batch, strict=True)):
+        given = " and ".join(f"{tuple(map(int, shape))} of {name}" for name, shape in shapes.items())
+        raise ValueError(f"batch shapes must broadcast together, got {given}")
+    return tuple(batch)
 
 
 def separate(found: Array, axis: int, *shapes: Shape) -> tuple[Array, ...]:

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from functools import partial
 from typing import Any
 
 import torch
 from torch.autograd import forward_ad
 
 from ._chart import Array, Call
-from ._rules import Values, slope_of, value_of
+from ._rules import Values, slope_of, text_of, value_of
 
 Slope = Callable[[Values, Values, Values], Values]
 """Function of results, arguments and rates that returns the rates of the results, linear in the rates."""
@@ -33,20 +34,40 @@ class Carry(torch.autograd.Function):
 
     @staticmethod
     def backward(ctx: Any, *weights: Array) -> tuple[Array | None, ...]:
-        found, given = ctx.saved_tensors[: ctx.count], ctx.saved_tensors[ctx.count :]
-        rates = map(torch.zeros_like, given)
-        _, back = torch.func.vjp(lambda *moved: tuple(ctx.slope(found, given, moved)), *rates)
-        of_given = zip(back(weights[: ctx.count]), weights[ctx.count :], strict=True)
-        return (None, None, *(None for _ in found), *(one + other for one, other in of_given))
+        return gradients(ctx, ctx.saved_tensors, weights)
 
     @staticmethod
     def jvp(ctx: Any, *rates: Array | None) -> tuple[Array, ...]:
-        found, given = ctx.saved_tensors[: ctx.count], ctx.saved_tensors[ctx.count :]
+        saved = ctx.saved_tensors  # read once: a checkpoint computes them for one reading
+        found, given = saved[: ctx.count], saved[ctx.count :]
         pairs = zip(given, rates[2 + ctx.count :], strict=True)
         moved = [torch.zeros_like(array) if rate is None else rate for array, rate in pairs]
         # PyTorch disables forward mode here, so that forward mode over forward mode would return zeros
         with forward_ad._set_fwd_grad_enabled(True):
             return (*ctx.slope(found, given, moved), *moved)
+
+
+class Compiled(torch.autograd.Function):
+    """Copies with the derivative of a rule in ``torch.compile``, which follows backward mode alone, and once."""
+
+    @staticmethod
+    def forward(ctx: Any, slope: Slope, count: int, *arrays: Array) -> tuple[Array, ...]:
+        ctx.slope, ctx.count, copies = slope, count, Carry.forward(slope, count, *arrays)
+        ctx.save_for_backward(*copies)
+        return copies
+
+    @staticmethod
+    def backward(ctx: Any, *weights: Array) -> tuple[Array | None, ...]:
+        return gradients(ctx, [*map(held, ctx.saved_tensors)], weights)
+
+
+def gradients(ctx: Any, saved: Values, weights: Values) -> tuple[Array | None, ...]:
+    """Return the derivatives of weighted copies by the arrays; results and rules are constants."""
+    found, given = saved[: ctx.count], saved[ctx.count :]
+    rates = map(torch.zeros_like, given)
+    _, back = torch.func.vjp(lambda *moved: tuple(ctx.slope(found, given, moved)), *rates)
+    of_given = zip(back(weights[: ctx.count]), weights[ctx.count :], strict=True)
+    return (None, None, *(None for _ in found), *(one + other for one, other in of_given))
 
 
 def held(value: Any) -> Any:
@@ -56,7 +77,11 @@ def held(value: Any) -> Any:
 
 def carry(slope: Slope, results: Sequence[Array], given: Sequence[Array]) -> Sequence[Array]:
     """Return results whose derivative by the given arrays is a rule."""
-    return Carry.apply(slope, len(results), *results, *given)[: len(results)]
+    if not torch.compiler.is_compiling():
+        return Carry.apply(slope, len(results), *results, *given)[: len(results)]
+    if any(array.requires_grad for array in given):
+        return Compiled.apply(slope, len(results), *results, *given)[: len(results)]
+    return results
 
 
 def ruled(kernel_call: Call) -> Callable[..., Array]:
@@ -69,6 +94,16 @@ def ruled(kernel_call: Call) -> Callable[..., Array]:
     return run
 
 
+def unruled(kernel_call: Call, axis: int) -> Callable[..., Array]:
+    """Return a kernel without a rule."""
+    return partial(text_of, kernel_call, axis)
+
+
 def derivative(function: Callable[..., Array], values: Values, rates: Values) -> Array:
-    """Return the derivative of a function along the rates of its arguments."""
-    return torch.func.jvp(function, tuple(values), tuple(rates))[1]
+    """Return the derivative of a function along the rates of its arguments.
+
+    It is the derivative of the reverse mode by its weights. Forward mode cannot be nested outside ``torch.func``.
+    """
+    result, back = torch.func.vjp(function, *values)
+    found: Array = torch.func.vjp(back, torch.zeros_like(result))[1](tuple(rates))[0]
+    return found

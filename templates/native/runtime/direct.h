@@ -17,6 +17,7 @@ static int dualcay_take(dualcay_call *call, PyObject *given, int arguments, int 
 {
     PyArrayObject *array = (PyArrayObject *)given;
     const npy_intp *dims, *strides;
+    npy_intp packed = sizeof(double); // step from value to value of a contiguous array
     int batch;
     if (!PyArray_CheckExact(given) || PyArray_TYPE(array) != NPY_DOUBLE || !PyArray_ISBEHAVED_RO(array)) {
         return 0;
@@ -30,6 +31,7 @@ static int dualcay_take(dualcay_call *call, PyObject *given, int arguments, int 
             return 0;
         }
         call->steps[arguments + 1 + call->components++] = strides[batch + axis];
+        packed *= counts[axis];
     }
     if (batch && call->batch && batch != call->batch) {
         return 0;
@@ -42,7 +44,8 @@ static int dualcay_take(dualcay_call *call, PyObject *given, int arguments, int 
     }
     call->batch = batch ? batch : call->batch;
     call->at[i] = PyArray_BYTES(array);
-    call->steps[i] = batch ? strides[batch - 1] : 0;
+    // an axis of length 1 may have any stride, also in a contiguous array
+    call->steps[i] = batch > 1 ? packed : batch ? strides[0] : 0;
     return 1;
 }
 
@@ -62,7 +65,8 @@ static PyObject *dualcay_make(dualcay_call *call, int arguments, int axes, const
     return made;
 }
 
-// Return the result of the loop with number ``self``, or None if the caller has to use another form.
+// Return the result of the loop with number ``self``, or None if the caller has to use another form: for other arrays,
+// and where a result is not finite.
 static PyObject *dualcay_direct(PyObject *self, PyObject *const *given, Py_ssize_t number)
 {
     const int index = (int)PyLong_AsLong(self), arguments = rows[index].arguments;
@@ -89,9 +93,15 @@ static PyObject *dualcay_direct(PyObject *self, PyObject *const *given, Py_ssize
     for (int axis = 0; axis < call.batch; ++axis) {
         count *= call.dims[axis];
     }
+    feclearexcept(FE_INVALID);
     NPY_BEGIN_THREADS_THRESHOLDED(count);
     DUALCAY_LOOPS_OF(double)[index](call.at, &count, call.steps, NULL);
     NPY_END_THREADS;
+    if (fetestexcept(FE_INVALID)) {
+        feclearexcept(FE_INVALID);
+        Py_DECREF(made);
+        Py_RETURN_NONE;
+    }
     return PyArray_Return((PyArrayObject *)made);
 }
 

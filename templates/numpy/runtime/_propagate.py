@@ -25,7 +25,7 @@ def propagate(
     module: Any, v0: ArrayLike, twist: Callable[[float], ArrayLike] | ArrayLike, t: ArrayLike, *, frame: str = "space",
     method: str = "lie", rtol: float = 1e-10, atol: float = 1e-12, covariance: ArrayLike | None = None,
     noise: ArrayLike | None = None, max_step: float = math.inf, progress: Progress | bool | None = None,
-    integrator: str = "DOP853",
+    integrator: str = "DOP853", knots: ArrayLike | None = None,
 ) -> Motion:  # fmt: skip
     """Integrate ``Ṙ = skew(ω) R``, or ``Ṙ = R skew(ω)`` in the body frame, for a given dual twist ω; CP23 (70), (74).
 
@@ -41,7 +41,7 @@ def propagate(
         Vector of the chart at the first time.
     twist : callable, or array of shape (6,) or (T, 6)
         Twist [ω, v] (rad/s, length/s): a function of time (s), or constant, or samples at the times t, joined by a
-        cubic spline.
+        cubic spline. A step ends at each time of samples.
     t : array, shape (T,)
         Times (s), increasing, at least two.
     frame : {"space", "body"}
@@ -61,6 +61,9 @@ def propagate(
         Function of the part of the time that is done, from 0 to 1; True writes percents to stderr.
     integrator : {"DOP853", "RK45", "RK23"}
         Runge–Kutta method of SciPy.
+    knots : array, shape (K,), optional
+        Times (s) at which a callable twist is not smooth. A step ends at each; a step across one loses digits. If the
+        twist jumps there, its value at the knot itself is that of the step after.
 
     Returns
     -------
@@ -92,7 +95,7 @@ def propagate(
         from ._stepping import FORMS, INTEGRATORS, Problem, largest_angle, steps
         from ._trajectory import Trajectory
     except ModuleNotFoundError as error:
-        raise ImportError('dualcay.propagate needs SciPy: pip install "dualcay[motion]"') from error
+        raise ImportError('dualcay.propagate needs SciPy: pip install "scipy>=1.16"') from error
     if not hasattr(module, "from_exponential") or len(module.identity()) != 6:
         raise TypeError(f"module must be a kernel module of poses, as cayley2 is, got {module!r}")
     for name, value, allowed in (("frame", frame, ("space", "body")), ("method", method, tuple(FORMS)),
@@ -105,7 +108,7 @@ def propagate(
     times, v = _times(t), finite("v0", v0, (6,))
     spread, density = (None if P is None else _covariance(name, P)
                        for name, P in (("covariance", covariance), ("noise", noise)))  # fmt: skip
-    problem = Problem(module, twist_of(twist, times), frame, integrator, rtol, atol, max_step)
+    problem = Problem(module, twist_of(twist, times, knots), frame, integrator, rtol, atol, max_step)
     q = module.quaternion(v)
     angle = _angle(module, v, q)
     form, switched = FORMS[method](problem), angle > largest_angle(module)

@@ -144,7 +144,7 @@ def largest_angle(module: Any) -> float:
 
 
 def steps(problem: Problem, form: Form, y: Array, centre: Any, start: Any, span: tuple[float, float]) -> Iterator[Step]:
-    """Yield the accepted steps over a span of time, from the local vector y about a centre.
+    """Yield the accepted steps over a span of time, from the local vector y about a centre; they end at knots.
 
     Raises
     ------
@@ -152,36 +152,41 @@ def steps(problem: Problem, form: Form, y: Array, centre: Any, start: Any, span:
         If the steps become too small, or a rate or a pose overflows; its attribute ``motion`` is not set.
     """
     omega: Sequence[float] = ()
+    knots, latest = problem.twist.knots, span[1]
 
     def rhs(t: float, y: Array) -> Any:
         nonlocal omega
-        omega = problem.twist(t)
+        omega = problem.twist(min(t, latest))
         return form.rate(y, omega)
 
     solver = getattr(integrate, problem.integrator)(
         rhs, span[0], y, span[1], rtol=problem.rtol, atol=form.tolerance(start), max_step=problem.max_step
     )
     _require_finite("rate of v", solver.f, span[0])  # from an infinite one SciPy would search a first step forever
-    omega = problem.twist(span[0])
-    while solver.status == "running":
-        speed = math.hypot(*omega[:3])
-        solver.max_step = min(problem.max_step, LARGEST_TURN / speed if speed else math.inf)
-        endless = solver.max_step < STEP_MIN * (span[1] - span[0])
-        message = "the twist turns too fast" if endless else solver.step()
-        if endless or solver.status == "failed":
-            raise MotionError(f"no step is small enough at t = {solver.t:.9g}: {message}", solver.t)
-        last = omega  # a step ends with an evaluation at its end; dense output may evaluate elsewhere
-        pose = displaced(Floats, problem.frame, form.quaternion(solver.y.tolist()), centre)
-        _require_finite("pose", pose, solver.t)
-        yield Step(solver.t_old, solver.t, solver.dense_output(), centre, start)
-        start = [-part for part in pose] if sum(a * b for a, b in zip(pose[:4], start[:4])) < 0 else pose
-        moved = form.restart(solver.y)
-        if moved is None:
-            centre, moved = start, np.zeros(6)
-        if moved is not solver.y:
-            solver.y, solver.f = moved, np.asarray(form.rate(moved, last))
-            solver.atol = form.tolerance(start)
-        omega = last
+    for end in (*knots[(knots > span[0]) & (knots < span[1])].tolist(), span[1]):
+        solver.t_bound, solver.status = end, "running"
+        latest = end if end == span[1] else math.nextafter(end, span[0])  # the twist may jump at a knot
+        omega = problem.twist(solver.t)
+        solver.f = np.asarray(form.rate(solver.y, omega))
+        while solver.status == "running":
+            speed = math.hypot(*omega[:3])
+            solver.max_step = min(problem.max_step, LARGEST_TURN / speed if speed else math.inf)
+            endless = solver.max_step < STEP_MIN * (span[1] - span[0])
+            message = "the twist turns too fast" if endless else solver.step()
+            if endless or solver.status == "failed":
+                raise MotionError(f"no step is small enough at t = {solver.t:.9g}: {message}", solver.t)
+            last = omega  # a step ends with an evaluation at its end; dense output may evaluate elsewhere
+            pose = displaced(Floats, problem.frame, form.quaternion(solver.y.tolist()), centre)
+            _require_finite("pose", pose, solver.t)
+            yield Step(solver.t_old, solver.t, solver.dense_output(), centre, start)
+            start = [-part for part in pose] if sum(a * b for a, b in zip(pose[:4], start[:4])) < 0 else pose
+            moved = form.restart(solver.y)
+            if moved is None:
+                centre, moved = start, np.zeros(6)
+            if moved is not solver.y:
+                solver.y, solver.f = moved, np.asarray(form.rate(moved, last))
+                solver.atol = form.tolerance(start)
+            omega = last
 
 
 def _require_finite(name: str, values: Any, t: float) -> None:

@@ -314,7 +314,7 @@ def _scipy(name: str) -> Any:
 
         return getattr(transform, name)
     except (ImportError, AttributeError) as error:
-        raise ImportError(f'{name} needs SciPy 1.16 or later: pip install "dualcay[motion]"') from error
+        raise ImportError(f'{name} needs SciPy 1.16 or later: pip install "scipy>=1.16"') from error
 
 
 def _require_poses(module: Any) -> None:

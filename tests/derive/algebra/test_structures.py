@@ -21,7 +21,7 @@ duals = st.builds(Dual, fractions, fractions)
 vectors = st.builds(Vector, duals, duals, duals)
 tensors = st.lists(duals, min_size=9, max_size=9).map(Tensor.from_entries)
 quaternions = st.builds(Quaternion, duals, vectors)
-few = settings(max_examples=12, deadline=None)
+few = settings(max_examples=12)
 
 
 @few

@@ -26,6 +26,8 @@ from derive.codegen.targets import TARGETS
 from derive.maps import Cayley
 from derive.output import write
 from derive.papers import PAPERS
+from docs.pages import field
+from proofs import rounding
 from tests.support.command import ROOT, dualcay, in_a_process
 
 
@@ -109,6 +111,39 @@ def test_a_place_where_nothing_can_be_written_is_refused_first(tmp_path: Path, m
     assert done.returncode == 2
     assert message in done.stderr
     assert [path.name for path in tmp_path.iterdir()] == ["file"]
+
+
+NOWHERE = "/proc/self/fd/no/file.svg"  # root too can write nothing there
+
+
+@pytest.mark.parametrize(
+    ("command", "work"),
+    [("generate -n 2 -o", "derive.codegen.build.prove"), ("verify -o", "derive.cli.verify._report"),
+     ("verify --certificates", "derive.cli.verify._report"),
+     ("verify --claim 1==1 -o", "derive.cli.verify.check_sheets"),
+     ("compare -n 2 --plot", "derive.pages.comparison.compared"),
+     ("show --what sheet -o", "derive.pages.sheet_files.page")],
+)  # fmt: skip
+def test_what_cannot_be_written_is_refused_before_any_work(monkeypatch, command: str, work: str):
+    monkeypatch.setattr(work, lambda *_, **__: pytest.fail("worked in vain"))
+    done = dualcay(*command.split(), NOWHERE.replace(".svg", ".html") if "show" in command else NOWHERE)
+    assert done.returncode == 3
+    assert re.fullmatch(r"dualcay: cannot write /proc/self/fd/no\S*: .+\n", done.stderr)
+
+
+@pytest.mark.parametrize("module", [proving, field, rounding])
+def test_a_page_that_cannot_be_written_is_refused_before_any_work(monkeypatch, capsys, module):
+    for work in ("decided", "require"):
+        monkeypatch.setattr(module, work, lambda *_, **__: pytest.fail("worked in vain"), raising=False)
+    assert module.main(["-o", NOWHERE]) == 3
+    assert capsys.readouterr().err.startswith("error: cannot write /proc/self/fd/no: ")
+
+
+def test_a_plot_of_unknown_ending_is_refused_before_any_work(tmp_path: Path, monkeypatch):
+    monkeypatch.setattr("derive.pages.comparison.compared", lambda *_, **__: pytest.fail("worked in vain"))
+    done = dualcay("compare", "-n", "2", "--plot", "plot.xyz", cwd=tmp_path)
+    assert (done.returncode, list(tmp_path.iterdir())) == (2, [])
+    assert "expected an ending out of" in done.stderr
 
 
 def test_a_folder_within_that_is_a_link_is_not_written_through(tmp_path: Path, monkeypatch):

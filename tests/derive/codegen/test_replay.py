@@ -5,6 +5,8 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping
 from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -15,11 +17,10 @@ from derive.codegen.signatures import POSES, ROTATIONS
 from derive.codegen.targets import TARGETS
 from derive.codegen.validation import NUMPY, replay
 from derive.codegen.validation.float_cases import cases
+from derive.codegen.validation.replay import Caller, Group
 from derive.maps import Cayley
 from derive.output import files
 from tests.support.packages import unvalidated
-
-pytestmark = pytest.mark.thorough
 
 CHART = Cayley(3)
 TARGET = TARGETS["numpy"]
@@ -39,6 +40,7 @@ WRONG = {
 }  # fmt: skip
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("what", WRONG)
 def test_wrong_run_time_part_fails_replay(texts: Mapping[str, str], tmp_path: Path, what: str) -> None:
     file, pattern, replacement = WRONG[what]
@@ -49,6 +51,7 @@ def test_wrong_run_time_part_fails_replay(texts: Mapping[str, str], tmp_path: Pa
         TARGET.replay(tmp_path, CHART, geometry=True)
 
 
+@pytest.mark.thorough
 def test_replay_calls_every_function_of_a_first_chart_and_fewer_of_others(
     texts: Mapping[str, str], tmp_path: Path
 ) -> None:
@@ -59,9 +62,28 @@ def test_replay_calls_every_function_of_a_first_chart_and_fewer_of_others(
     assert replay(tmp_path, CHART, TARGET.machinery, [NUMPY], [ROTATIONS], geometry=True) < whole
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("table", [POSES, ROTATIONS], ids=["poses", "rotations"])
 def test_scales_are_at_least_the_norms_of_results(table) -> None:
     for case in cases(CHART, table)[::25]:
         sizes = [abs(float(c)) for c in case.result]
         assert max(case.scales) * (1 + 1e-12) >= max(sizes)
         assert np.isfinite(case.scales).all()
+
+
+@pytest.mark.parametrize(("share", "agrees"), [(0.9, True), (1.1, False), (np.nan, False)])
+@pytest.mark.parametrize("dtype", NUMPY.dtypes, ids=str)
+def test_an_ill_conditioned_result_may_lose_sixteen_roundings_of_its_scale(dtype, share: float, agrees: bool) -> None:
+    """Replace a function by one whose last component is off; half of the digits are lost already."""
+    scale = float(np.finfo(dtype).eps ** -0.5)
+    case: Any = SimpleNamespace(arguments=((0.5,) * 6,), result=(1.0,) * 6, scales=(1.0, scale))
+    error = share * 16 * float(np.finfo(dtype).eps) * scale
+    off = np.array([0, 0, 0, 0, 0, error])
+    module: Any = SimpleNamespace(__name__="made", principal=lambda v, axis: (v + 0.5 + off).astype(dtype))
+    check = Caller(module, NUMPY, out=True, few=20).check
+    group = Group(POSES.public["principal"], (), (case,))
+    if agrees:
+        check(group, np.array([0]), dtype)
+    else:
+        with pytest.raises(ValidationFailed, match=r"made\.principal.*component 5 is"):
+            check(group, np.array([0]), dtype)

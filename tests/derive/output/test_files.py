@@ -33,14 +33,14 @@ def test_file_without_header_is_refused_and_nothing_written(tmp_path: Path):
 def test_full_disk_leaves_old_files(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
     files.write(tmp_path, {"a.py": OURS, "b.py": OURS})
     texts = {"a.py": OURS + "new\n", "b.py": OURS + "new\n"}
-    write_text = Path.write_text
+    write_bytes = Path.write_bytes
 
-    def full(path: Path, text: str, **options: str):
+    def full(path: Path, content: bytes):
         if path.name == "b.py":
             raise OSError(28, "No space left on device", str(path))
-        return write_text(path, text, **options)
+        return write_bytes(path, content)
 
-    monkeypatch.setattr(Path, "write_text", full)
+    monkeypatch.setattr(Path, "write_bytes", full)
     with pytest.raises(RefusedError, match=r"No space left on device$"):
         files.write(tmp_path, texts)
     assert {p.name: p.read_text() for p in tmp_path.iterdir()} == {"a.py": OURS, "b.py": OURS}
@@ -74,6 +74,35 @@ def test_pipe_is_not_opened(tmp_path: Path):
     os.mkfifo(tmp_path / "a.py")
     with pytest.raises(RefusedError, match="not a generated file"):
         files.write(tmp_path, {"a.py": OURS})
+
+
+@pytest.mark.parametrize("place", ["/proc/nowhere", "/proc/self/fd", "/sys/kernel"])
+def test_folder_that_takes_no_file_is_refused_before_any_work(place: str):
+    """Try folders that refuse root too; permissions would not."""
+    if Path(place).parent.is_dir():
+        with pytest.raises(RefusedError, match=rf"^cannot write {place}: "):
+            files.refuse(Path(place), {"a.py": OURS})
+
+
+@pytest.mark.parametrize("make", [os.mkfifo, lambda path: path.symlink_to("/dev/null")], ids=["pipe", "device"])
+def test_pipe_or_device_is_not_replaced(tmp_path: Path, make):
+    make(tmp_path / "a.md")
+    with pytest.raises(RefusedError, match=r"not a file, so not replaced: .*a\.md"):
+        files.put(tmp_path / "a.md", "text")
+    assert not (tmp_path / "a.md").is_file()
+
+
+@pytest.mark.parametrize("content", ["text\n", b"\xff\x00"])
+def test_one_file_is_written_whole_and_only_if_it_changes(tmp_path: Path, content):
+    file = tmp_path / "new" / "a.md"
+    files.put(file, content)
+    first = file.stat()
+    files.put(file, content)
+    assert (file.stat().st_ino, file.stat().st_mtime_ns) == (first.st_ino, first.st_mtime_ns)
+    files.put(file, b"other")
+    assert file.stat().st_ino != first.st_ino  # another file took its place
+    assert file.read_bytes() == b"other"
+    assert [path.name for path in file.parent.iterdir()] == ["a.md"]
 
 
 def test_link_to_a_folder_is_followed(tmp_path: Path):

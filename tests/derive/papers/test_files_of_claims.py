@@ -1,4 +1,4 @@
-"""Papers as files: the command and the calls on good, ill-formed and unreadable files, and the time limit."""
+"""Papers as files: the command and the calls on good, ill-formed and unreadable files, and the limit of time."""
 
 from __future__ import annotations
 
@@ -150,7 +150,7 @@ def test_slow_equation_is_undecided(tmp_path: Path) -> None:
     file.write_text('[letters]\nx = "real"\n[[equation]]\nnumber = "1"\nclaim = "sum(k, 0, 999999999, x**k) == x"\n'
                     '[[equation]]\nnumber = "2"\nclaim = "x == x"\n')
     first, second = check_sheets([load(file)], seconds=2)
-    assert (first.status, first.method) == (Status.UNDECIDED, "not decided within 2 s")
+    assert (first.status, first.method) == (Status.UNDECIDED, "not decided within 2 s of processor time")
     assert second.status is Status.HOLDS
 
 

@@ -92,6 +92,9 @@ class Translator:
         visible = {each.name: Value(self._type(each.type), f"c_{each.name}") for each in parameters}
         lengths = ((p.name, _length(p.type)) for p in parameters if isinstance(p.type, c_ast.ArrayDecl))
         first = [f"called.add({name!r})", *(f"c_{each} = c_{each}.narrowed({length})" for each, length in lengths)]
+        for each in visible.keys() & _addressed(node.body):
+            visible[each] = Value(visible[each].type, f"c_{each}[0]", f"c_{each}")
+            first.append(f"c_{each} = Pointer.to([c_{each}])")
         self.result = self._type(node.decl.type.type)
         self._block(node, node.body, visible, first)
         if self.result != "void":
@@ -264,6 +267,12 @@ class Translator:
 def _parameters(node: c_ast.FuncDecl) -> list[Any]:
     found = node.args.params if node.args else []
     return [] if any(getattr(getattr(p.type, "type", None), "names", None) == ["void"] for p in found) else found
+
+
+def _addressed(node: c_ast.Node) -> set[str]:
+    """Return the names of variables whose address is taken."""
+    own = isinstance(node, c_ast.UnaryOp) and node.op == "&" and isinstance(node.expr, c_ast.ID)
+    return {node.expr.name} if own else {name for _, child in node.children() for name in _addressed(child)}
 
 
 def _length(node: c_ast.ArrayDecl) -> int:

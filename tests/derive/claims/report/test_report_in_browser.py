@@ -69,7 +69,7 @@ def look(browser: str, karakilic: Path, tmp_path: Path):
     def visit(address: str, *flags: str) -> dict[str, object]:
         url = f"file://{tmp_path}/errata.html{address}"
         command = [browser, *FLAGS, *flags, f"--user-data-dir={tmp_path}/profile", "--dump-dom", url]
-        done = subprocess.run(command, capture_output=True, text=True, timeout=120, check=False)
+        done = subprocess.run(command, capture_output=True, text=True, check=False)
         found = re.search(r'data-probe="([^"]*)"', done.stdout)
         assert found, f"no page came back: {done.stderr[-2000:]}"
         return dict(json.loads(html.unescape(found.group(1))))

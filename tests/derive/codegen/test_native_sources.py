@@ -1,0 +1,40 @@
+"""Extension modules of compiled NumPy functions: an error in any of their files stops generation."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from derive.codegen import ValidationFailed
+from derive.codegen.targets import TARGETS
+from derive.codegen.validation import compiled
+from derive.maps import Cayley
+from derive.output import files
+from tests.support import packages
+
+pytestmark = pytest.mark.compiler
+
+CHART, NATIVE = Cayley(3), TARGETS["native"]
+
+
+@pytest.fixture(scope="module")
+def folder(shared: Callable[[str, Callable[[Path], object]], Path]) -> Path:
+    return shared("native_sources", lambda place: packages.write([3], "native", place))
+
+
+@pytest.mark.parametrize("error", ["int broken(void) { return }", "int unknown(void) { return dualcay_unknown(1); }"])
+@pytest.mark.parametrize(
+    "name",
+    ["cayley3.c", "rotation/cayley3.c", "loops.h", "rotation/loops.h", "tiles.h", "direct.h", "gufuncs.h"],
+)
+def test_an_error_in_a_source_stops_generation(folder: Path, tmp_path: Path, name: str, error: str) -> None:
+    texts = {str(p.relative_to(folder)): p.read_text("utf-8") for p in folder.rglob("*") if p.suffix in (".c", ".h")}
+    files.write(tmp_path, {**texts, name: f"{texts[name]}\n{error}\n"})
+    with pytest.raises(ValidationFailed, match=r"cayley3\.c does not compile"):
+        NATIVE.test(tmp_path, CHART)
+
+
+def test_sources_are_understood(folder: Path) -> None:
+    compiled.require_modules(folder, ["cayley3.c", "rotation/cayley3.c"])

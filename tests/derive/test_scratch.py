@@ -1,0 +1,71 @@
+"""Temporary folders: those of killed processes go, those of living ones stay."""
+
+from __future__ import annotations
+
+import os
+import signal
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+import pytest
+
+from derive.scratch import PREFIX, scratch
+from tests.support.command import ROOT
+from tests.support.staying import until
+
+pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="Windows has no locks of folders")
+
+HOLD = """
+import time
+from derive.scratch import scratch
+with scratch() as folder:
+    (folder / "file").touch()
+    print("held", flush=True)
+    time.sleep(600)
+"""
+
+
+@pytest.fixture
+def temporary(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """Provide the folder of temporary folders, also for other processes."""
+    monkeypatch.setenv("TMPDIR", str(tmp_path))
+    monkeypatch.setattr(tempfile, "tempdir", None)
+    monkeypatch.setenv("PYTHONPATH", str(ROOT))
+    return tmp_path
+
+
+def test_folder_of_a_process_stays_while_it_lives_and_goes_when_it_was_killed(temporary: Path) -> None:
+    (temporary / f"{PREFIX}link").symlink_to(ROOT)
+    (temporary / "dualcay-mine").mkdir()
+    others = {f"{PREFIX}link", "dualcay-mine"}
+    command = [sys.executable, "-c", HOLD]
+    first, second = (subprocess.Popen(command, stdout=subprocess.PIPE, text=True) for _ in range(2))
+    for process in (first, second):
+        assert process.stdout is not None
+        assert process.stdout.readline() == "held\n"
+    with scratch() as own:
+        assert len(list(temporary.iterdir())) == 5
+        first.kill()
+        first.communicate()
+        with scratch():
+            assert len(list(temporary.iterdir())) == 5
+        assert list(own.iterdir()) == []
+    second.kill()
+    second.communicate()
+    with scratch():
+        pass
+    assert {path.name for path in temporary.iterdir()} == others
+
+
+def test_a_killed_run_leaves_nothing_after_the_next_one(temporary: Path) -> None:
+    command = [sys.executable, "-m", "derive", "generate", "-n", "1", "--target", "c", "-o", str(temporary / "kernels")]
+    run = subprocess.Popen(command, cwd=ROOT, start_new_session=True)
+    until(lambda: any(path.is_file() for path in temporary.glob(f"{PREFIX}*/*")) or run.poll() is not None)
+    os.kill(run.pid, signal.SIGKILL)
+    assert run.wait() == -signal.SIGKILL
+    assert list(temporary.glob(f"{PREFIX}*"))
+    with scratch():
+        pass
+    assert not [path.name for path in temporary.iterdir() if path.name != "kernels"]
