@@ -13,7 +13,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any, cast
+from typing import Any
 
 import mpmath
 import sympy
@@ -32,6 +32,7 @@ from ..scalars import NOISE, DependentScalars, scalar
 from .edges import PHI_DIGITS, Edge, edge_of
 from .first_guess import guess
 from .guesses import Guess, from_end
+from .lengths import Lengths
 from .near_zero import Ratio, length_ratio, ratio
 from .phi_values import PhiValues
 from .rounding import require_digits
@@ -272,35 +273,5 @@ class General(AngleChart):
 
     def lengths(self, angle: Coefficient, square: Coefficient, m: Arithmetic, mark: str) -> PhiValues | Lengths:
         """Return φ and its derivatives at an angle, given its square."""
-        return PhiValues(angle, m) if self.beside_zero is None else Lengths(self, angle, square, m, mark)
-
-
-class Lengths:
-    """Derivatives of a φ that is a quotient at 0: below a limit those of ``α b(α²)``, with a polynomial b."""
-
-    def __init__(self, chart: General, angle: Coefficient, square: Coefficient, m: Arithmetic, mark: str) -> None:
-        self.m, self.angle, self.mark, self.near = m, angle, mark, cast(Ratio, chart.beside_zero)
-        limit = self.near.limit
-        self._known: dict[int, Coefficient] = {}
-        self.is_near = m.name(f"small{mark}", m.less(limit.denominator * square, limit.numerator))
-        self.square = m.name(f"squaren{mark}", m.where(self.is_near, square, square - square))
-        self.side = m.name(f"sideof{mark}", m.where(m.less(angle, 0), -1, 1))
-        beside = plus(angle - angle, chart.far.edge / 2, m, f"between{mark}")  # an unused angle
-        self.far = PhiValues(m.name(f"large{mark}", m.where(self.is_near, beside, self.side * angle)), m)
-
-    def derivative(self, phi: sympy.Expr, count: int) -> Coefficient:
-        """Return a derivative up to the third, or φ itself for count 0."""
-        far, xi, angle = self.far.derivative(phi, count), self.square, self.angle
-        near = (
-            lambda: angle * self._b(0),
-            lambda: self._b(0) + 2 * (xi * self._b(1)),
-            lambda: angle * (6 * self._b(1) + 4 * (xi * self._b(2))),
-            lambda: 6 * self._b(1) + 24 * (xi * self._b(2)) + 8 * (xi * xi * self._b(3)),
-        )[count]()
-        value = self.m.where(self.is_near, near, far if count % 2 else self.side * far)
-        return self.m.name(f"phi{count}{self.mark}", value)
-
-    def _b(self, count: int) -> Coefficient:
-        if count not in self._known:
-            self._known[count] = self.near.polynomials[count].at(self.square, self.m, f"b{count}{self.mark}")
-        return self._known[count]
+        near = self.beside_zero
+        return Lengths(near, self.far.edge, angle, square, m, mark) if near else PhiValues(angle, m)
