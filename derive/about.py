@@ -19,6 +19,9 @@ FAMILIES = (
 )  # fmt: skip
 """Families whose modules are committed."""
 
+OTHER_FAMILIES = ("reduced_euler_rodrigues", "homochoric", "isochoric")
+"""Families by name whose modules are not committed."""
+
 MAX_ORDER = 64
 """Largest order generated without --max-n; proof times of higher orders were not measured."""
 

@@ -87,9 +87,10 @@ def Parameterization(phi: str | sympy.Expr, name: str = "phi", order: int | None
     Parameters
     ----------
     phi : str or Expr
-        Function that is odd by its structure, with φ′(0) > 0; angles beyond 4π are ignored. A φ that ends before half
-        a turn, such as sin α, has formulas but no kernels. A text may contain numbers, ``alpha``, ``n``, ``pi``,
-        ``+ - * / **`` and elementary functions; it is parsed, never evaluated. An expression uses `derive.alpha`.
+        Function that is odd by its structure, with φ′(0) > 0, such as an odd root of an odd expression; 0/0 at α = 0 is
+        its limit. Angles beyond 4π are ignored. A φ that ends before half a turn, such as sin α, has formulas but no
+        kernels. A text may contain numbers, ``alpha``, ``n``, ``pi``, ``+ - * / **`` and elementary functions; it is
+        parsed, never evaluated. An expression uses `derive.alpha`.
     name : str
         Name of the chart, an identifier.
     order : int, optional

@@ -11,7 +11,8 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
-from .. import workers
+from derive import workers
+
 from .statements import FOLDER, CoqTheorem, MachineError, listed
 
 FIRST, LAST = (8, 16), (8, 20)  # versions of Coq that are accepted

@@ -20,8 +20,9 @@ from pathlib import Path
 import mpmath
 import numpy as np
 
-from ..output import facts, files
-from ..scratch import scratch
+from derive.output import facts, files
+from derive.scratch import scratch
+
 from .checker import PROCESSES
 from .coq_definitions import GEOMETRY, V
 from .emitted import CHeader, printed

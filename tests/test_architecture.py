@@ -124,8 +124,8 @@ WAITS = {"wait", "join", "communicate", "result", "acquire", "poll"}
 """Methods whose number is a time limit."""
 
 SHOWN = {
-    "derive/cli/display.py", "derive/output/progress.py", "derive/proof/identity.py", "derive/machine/__main__.py",
-    "derive/machine/bridge.py", "derive/machine/checker.py", "derive/machine/rounding.py",
+    "derive/cli/display.py", "derive/output/progress.py", "derive/proof/identity.py", "proofs/__main__.py",
+    "proofs/bridge.py", "proofs/checker.py", "proofs/rounding.py",
     "examples/inverse_kinematics_jax.py", "tests/derive/output/test_progress.py",
 }  # fmt: skip
 """Files that show how long something takes."""
@@ -147,7 +147,7 @@ def timed(text: str) -> list[str]:
     return found
 
 
-@pytest.mark.parametrize("room", ["derive", "docs", "examples", "generated", "templates", "tests", "tools"])
+@pytest.mark.parametrize("room", ["derive", "docs", "examples", "generated", "proofs", "templates", "tests"])
 def test_nothing_is_decided_by_a_clock(room: str):
     for path in sorted((ROOT / room).rglob("*.py")):
         if path.relative_to(ROOT).as_posix() not in SHOWN:
@@ -178,15 +178,15 @@ FOLDERS = {"TemporaryDirectory", "NamedTemporaryFile", "mkdtemp", "mkstemp"}
 OWN = {
     "derive/scratch.py": FOLDERS, "derive/output/exchange.py": WRITERS, "derive/output/files.py": {"savefig"},
     # inputs of other programs
-    "derive/machine/bridge.py": WRITERS, "derive/machine/checker.py": WRITERS, "derive/pages/sheet_files.py": WRITERS,
+    "proofs/bridge.py": WRITERS, "proofs/checker.py": WRITERS, "derive/pages/sheet_files.py": WRITERS,
     "benchmarks/c_form.py": WRITERS, "benchmarks/flight.py": WRITERS,
 }  # fmt: skip
 """Files that may call some of these."""
 
 
-@pytest.mark.parametrize("room", ["derive", "docs", "benchmarks"])
+@pytest.mark.parametrize("room", ["derive", "docs", "benchmarks", "proofs"])
 def test_files_are_replaced_whole_and_temporary_folders_are_swept(room: str):
-    refused = WRITERS | FOLDERS if room == "derive" else WRITERS
+    refused = WRITERS | FOLDERS if room in ("derive", "proofs") else WRITERS
     for path in sorted((ROOT / room).rglob("*.py")):
         name = path.relative_to(ROOT).as_posix()
         for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):

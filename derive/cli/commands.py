@@ -113,10 +113,11 @@ def list_catalogue() -> None:
     from ..codegen.signatures import PUBLIC
 
     width = min(shutil.get_terminal_size((120, 0)).columns, 120)
+    others = ", ".join(about.OTHER_FAMILIES)
     for heading, names in (
         ("targets", ", ".join(about.TARGETS)),
         ("orders", f"any n >= 1; committed: {', '.join(map(str, about.ORDERS))}"),
-        ("families", f"also sineN and scaledN for any order N; committed: {', '.join(about.FAMILIES)}"),
+        ("families", f"{others}, also sineN and scaledN for any order N; committed: {', '.join(about.FAMILIES)}"),
         ("formulas", ", ".join(about.FORMULAS)),
         ("functions", ", ".join(PUBLIC)),
     ):

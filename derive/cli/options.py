@@ -59,12 +59,13 @@ def listed(context: click.Context, parameter: click.Parameter, value: str | None
 
 def phi(context: click.Context, parameter: click.Parameter, value: str | None) -> str | None:
     """Return the text of φ, with its syntax checked before SymPy is loaded."""
-    from ..maps.any_phi.grammar import PHI
+    from ..maps.any_phi.grammar import PHI, spelled
 
-    if value is not None:
-        with refusals("--phi"):
-            PHI.tree(value.strip(" "))
-    return value
+    if value is None:
+        return None
+    with refusals("--phi"):
+        PHI.tree(spelled(value))
+    return spelled(value)
 
 
 class Place(click.Path):

@@ -56,7 +56,7 @@ def _formulas(chart: Chart, what: tuple[str, ...]) -> dict[str, Any]:
 
 def _label(chart: Chart) -> dict[str, Any]:
     """Return the order of a Cayley map, or name and φ of another chart."""
-    return {"n": chart.order} if chart.selection[0] == "-n" else {"name": chart.name, "phi": _text(chart.phi)}
+    return {"n": chart.order} if chart.selection[0] == "-n" else {"name": chart.name, "phi": _text(chart.written)}
 
 
 def _terms(value: Any) -> str | dict[str, str]:

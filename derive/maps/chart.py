@@ -86,7 +86,7 @@ class Chart(ChartFormulas):
     @property
     def parameter(self) -> str:
         """Text of φ(α), such as ``tan(α/6)``."""
-        return str(self.phi).replace("alpha", "α").replace("**", "^").replace("*", " ")
+        return str(self.written).replace("alpha", "α").replace("**", "^").replace("*", " ")
 
     def require_kernels(self) -> None:
         """Raise `PhiError` if kernels cannot compute the chart."""

@@ -19,6 +19,7 @@ from .angle_of_length import angle_of
 from .families import alpha, of_angle
 from .formula import Formula, IsotropicMap, QuaternionMap
 from .polynomials import x
+from .quotient import elementary
 
 Map = TypeVar("Map", bound=Formula)
 
@@ -91,6 +92,11 @@ class ChartFormulas(Typeset, ABC):
     # --- from φ ---------------------------------------------------------------------------------------------------
 
     @property
+    def written(self) -> sympy.Expr:
+        """Formula of φ in elementary functions, which may be 0/0 at α = 0."""
+        return elementary(self.phi)
+
+    @property
     def scale(self) -> sympy.Expr:
         """Factor a(v) as a function of α, from ``q̂ = ±(a + v)ⁿ/(a² + x)^(n/2)``: CP23 (60), (61)."""
         return self.phi * sympy.cot(alpha / (2 * self.order))
@@ -159,7 +165,7 @@ class ChartFormulas(Typeset, ABC):
     def _aligned(self, letters: Iterable[tuple[str, str]]) -> str:
         """Return equations in LaTeX: the letters of every chart, further letters, then the four maps."""
         maps = (self.quaternion, self.tensor, self.tangent, self.tangent_inv)
-        first = ((r"\varphi(\alpha)", latex(self.phi)), *LETTERS, *letters)
+        first = ((r"\varphi(\alpha)", latex(self.written)), *LETTERS, *letters)
         equations = (*first, *((of.symbol, of.definition) for of in maps))
         lines = " \\\\\n".join(f"{left} &= {right}" for left, right in equations)
         return f"\\begin{{aligned}}\n{lines}\n\\end{{aligned}}"
@@ -170,7 +176,7 @@ class ChartFormulas(Typeset, ABC):
     @cached_property
     def _values(self) -> Any:
         """Scalars and x, as expressions in x for an algebraic chart, otherwise in α."""
-        return self.scalars(x, PLAIN) if self.algebraic else of_angle(self.phi)
+        return self.scalars(x, PLAIN) if self.algebraic else of_angle(self.written)
 
     def _formula(self, kind: type[Map], name: str, *coefficients: sympy.Expr) -> Map:
         poles = [f"Re alpha = {angle}" for angle in self.singular_angles if angle != self.edge]

@@ -10,8 +10,9 @@ from typing import Any, TypeAlias
 import mpmath
 import sympy
 
-from ..algebra import Coefficient, functions, real_part
+from ..algebra import Coefficient, Dual, functions, real_part
 from ..algebra.pose import is_zero
+from .quotient import BESIDE_ORDER, BOUND, Quotient, lost, taylor
 
 FUNCTIONS = ("sin", "cos", "asin", "acos", "atan", "sinh", "cosh", "tanh", "asinh", "atanh", "exp", "log")
 """Functions that a library may provide in addition to sqrt."""
@@ -29,8 +30,9 @@ def evaluate(expression: sympy.Expr, symbol: sympy.Symbol, value: Coefficient, l
     """Return the value of an elementary expression in one symbol; each part is computed once.
 
     `library` provides ``sin``, ``cos``, ``sqrt`` for the numbers, ``exp``, ``log`` for rational exponents with
-    denominators above 2, and perhaps ``constant`` for numbers such as π. Division by zero raises ZeroDivisionError for
-    every number type. A part that is not elementary, or contains another symbol, raises ValueError.
+    denominators above 2. It may provide ``constant`` for numbers such as π, ``power`` for integer exponents, and
+    ``quotient`` for `Quotient`. Division by zero raises ZeroDivisionError for every number type. A part that is not
+    elementary, or contains another symbol, raises ValueError.
     """
     known: list[Coefficient] = []
     for step in _steps(expression, symbol):
@@ -90,12 +92,15 @@ class _Reader:
             return lambda known, value, library: library.exp(library.log(known[at]) * (value * 0 + p) / q)
 
         def power(known: Sequence[Coefficient], value: Coefficient, library: Any) -> Coefficient:
-            raised = (known[at] if q == 1 else library.sqrt(known[at])) ** abs(p)
+            raised = getattr(library, "power", pow)(known[at] if q == 1 else library.sqrt(known[at]), abs(p))
             return raised if p > 0 else over(1 + 0 * raised, raised)
 
         return power
 
     def _function(self, e: sympy.Expr) -> Step:
+        if isinstance(e, Quotient):
+            place = self.place(e.args[2])
+            return lambda known, value, library: getattr(library, "quotient", _quotient)(e, known[place])
         if e.func.__name__ not in FUNCTIONS and e.func not in QUOTIENTS:
             raise ValueError(f"not an elementary expression in {self._symbol}: {e}")
         argument = e.args[0]
@@ -104,6 +109,20 @@ class _Reader:
             return lambda known, value, library: over(known[above], known[below])
         name, at = e.func.__name__, self.place(argument)
         return lambda known, value, library: getattr(library, name)(known[at])
+
+
+def _quotient(e: Quotient, value: Coefficient) -> Coefficient:
+    """Return a quotient at a number, perhaps a nested dual one, in the working precision of mpmath."""
+    real = value
+    while isinstance(real, Dual):
+        real = real.re
+    if isinstance(real, float):
+        return float(_quotient(e, mpmath.mpf(real)))
+    if is_zero(real):
+        terms = [value * 0 + _constant(taylor(e.above, e.power + count)) for count in range(BESIDE_ORDER + 1)]
+        return reduce(lambda total, term: total * value + term, reversed(terms))
+    with mpmath.extraprec(lost(real, e.power)):
+        return evaluate(e.above, BOUND, value) / value**e.power
 
 
 def _constant(e: sympy.Expr) -> Any:

@@ -6,16 +6,13 @@ import re
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 from fractions import Fraction
-from typing import TypeAlias
-
-import sympy
+from typing import Any, TypeAlias
 
 from ..algebra.cayley_pairs import require_order
 from .breusing import Breusing
 from .cayley import Cayley
 from .chart import Chart
 from .exponential import Exponential
-from .families import alpha
 from .multiple import Multiple
 from .sine import Sine
 
@@ -45,26 +42,31 @@ SINGLE: Mapping[str, Callable[[], Named]] = {
 }
 """Charts by name."""
 
-SYMBOLIC = {"isochoric": sympy.cbrt(6 * (alpha - sympy.sin(alpha)))}
-"""Functions φ without kernels, by name: their scalars are not elementary functions of x. For isochoric, det T = 1."""
+CONSTANT_VOLUME = {"homochoric": "cbrt(3*(alpha - sin(alpha))/4)", "isochoric": "cbrt(6*(alpha - sin(alpha)))"}
+"""Texts of φ by name. Their volume elements are constant: det T = 8 and det T = 1."""
 
 NUMBERED: Mapping[str, Callable[[int], Named]] = {"sine": sine, "scaled": scaled}
 """Functions that return the chart of an order, by the stem of the name."""
 
 
-def family(name: str) -> Named:
+def family(name: str) -> Chart:
     """Return a parameterization by its name, such as ``lambert`` or ``sine7``; ValueError for another name."""
     numbered = re.fullmatch(rf"([a-z]+?)([1-9]\d{{0,{ORDER_DIGITS_MAX - 1}}})", name)
+    found: Any
     if name in SINGLE:
         found = SINGLE[name]()
     elif numbered and numbered[1] in NUMBERED:
         found = NUMBERED[numbered[1]](int(numbered[2]))
-    elif name in SYMBOLIC:
-        raise ValueError(f"{name} is symbolic only, without kernels: derive.maps.named.SYMBOLIC has its phi")
+    elif name in CONSTANT_VOLUME:
+        from .any_phi.parameterization import parameterization  # it imports the charts of this module
+
+        found = parameterization(CONSTANT_VOLUME[name], name)
     else:
-        names = ", ".join([*SINGLE, *(f"{stem}N" for stem in NUMBERED)])
+        names = ", ".join([*SINGLE, *CONSTANT_VOLUME, *(f"{stem}N" for stem in NUMBERED)])
         raise ValueError(f"a family is one of {names}, N an order; got {name!r}")
-    return replace(found, name=name, selection=("--family", name))
+    title = f"{name.capitalize()} vector" if name in CONSTANT_VOLUME else found.title
+    named: Chart = replace(found, name=name, title=title, selection=("--family", name))
+    return named
 
 
 def described(chart: Chart) -> str:

@@ -90,7 +90,7 @@ class Compared:
         conditions = {name: number(found.condition if found else None) for name, found in self.stretches.items()}
         return {
             "chart": self.chart.name,
-            "φ": f"${sympy.latex(self.chart.phi)}$",
+            "φ": f"${sympy.latex(self.chart.written)}$",
             "edge/π": number(self.edge / math.pi),
             **{f"condition of Re T at {name}": condition for name, condition in conditions.items()},
             **{f"operations of {name}": number(count) for name, count in self.operations.items()},

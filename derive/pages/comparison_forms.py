@@ -61,7 +61,7 @@ def _json(compared: Sequence[Compared]) -> str:
     entries = [
         {
             "chart": row.chart.name,
-            "phi": str(row.chart.phi),
+            "phi": str(row.chart.written),
             "edge": row.edge if row.edge < math.inf else None,
             "range": row.range if row.range < math.inf else None,
             "branches": row.chart.branches or None,

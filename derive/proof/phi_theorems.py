@@ -96,6 +96,19 @@ def _of_maps() -> tuple[Theorem, ...]:
             (Equation(T * T_inv, I), Equation(T_inv * T, I)),
             TANGENT, INVERSE, *SCALARS[3:], *SQUARES, scope=SCOPE,
         ),
+        _of_volume(),
+    )  # fmt: skip
+
+
+def _of_volume() -> Theorem:
+    """Return the theorem on the homochoric vector: φ³ is a multiple of ``α − sin α``, given by its derivative."""
+    at = {phi_1: share * (1 - COS) / phi**2}
+    rates = Equation(prime(alpha), 1 / TURN), *(premise.equation for premise in OF_ANGLE)
+    slopes = definition(prime(share), 0), *(definition(e.left, e.right.xreplace(at)) for e in rates)
+    return identity(
+        "any phi: constant volume element", Symbols((alpha, share, cosine, sine, x, phi), (v,), (sine, phi, share)),
+        (Equation(prime(phi**3), prime(3 * share * (alpha - SIN))), Equation(det(T), 2 / share)),
+        TANGENT, *SCALARS[3:5], definition(h, SCALARS[5].equation.right.xreplace(at)), *slopes, *SQUARES, scope=SCOPE,
     )  # fmt: skip
 
 

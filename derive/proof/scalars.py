@@ -31,8 +31,8 @@ from ..maps.families import alpha
 from ..maps.polynomials import x
 from .evaluation import Evaluation
 from .identity import Checks, Proof, decide
-from .notation import Shifted, prime
-from .phi_theorems import PHI, SCALARS, any_phi, cosine, sine
+from .notation import Shifted, det, prime
+from .phi_theorems import PHI, SCALARS, T, any_phi, cosine, sine
 from .statement import Equation
 from .vector_ring import Ring
 
@@ -174,8 +174,8 @@ def instance(chart: Chart) -> Iterator[Proof]:
     yield from any_phi()
     in_angle = {premise.equation.left: premise.equation.right for premise in SCALARS}
     claim = tuple(e.replaced(in_angle) for e in STATED)
-    symbols = dict(zip(PHI, (chart.phi.diff(alpha, order) for order in range(len(PHI))), strict=True))
-    symbols |= {sine: sympy.sin(alpha / 2), cosine: sympy.cos(alpha / 2), x: chart.phi**2}
+    symbols = dict(zip(PHI, (chart.written.diff(alpha, order) for order in range(len(PHI))), strict=True))
+    symbols |= {sine: sympy.sin(alpha / 2), cosine: sympy.cos(alpha / 2), x: chart.written**2}
 
     def checks() -> Checks:
         for equation, found in zip(claim, _coefficients(chart), strict=True):
@@ -184,6 +184,20 @@ def instance(chart: Chart) -> Iterator[Proof]:
 
     yield decide("coefficients in alpha", claim, BY_PHI, checks, chart.name)
     yield _at_origin(chart)
+    yield from _volume(chart)
+
+
+def _volume(chart: Chart) -> Iterator[Proof]:
+    """Decide that det T is constant, for a multiple of the homochoric vector: its cube is ``3 k (α − sin α)``."""
+    cube = sympy.expand(chart.written**3)
+    share = cube.coeff(alpha) / 3
+    if share and sympy.expand(cube - 3 * share * (alpha - sympy.sin(alpha))) == 0:
+        claim = Equation(det(T), 2 / share)
+
+        def checks() -> Checks:
+            yield claim.text, sympy.expand(2 * (1 - sympy.cos(alpha)) - claim.right * cube.diff(alpha) / 3)
+
+        yield decide("constant volume element", (claim,), BY_PHI, checks, chart.name)
 
 
 def _at_origin(chart: Chart) -> Proof:

@@ -86,6 +86,7 @@ BY_COQ: Mapping[str, InCoq] = {
     "any phi: orthogonality": _whole("phi_orthogonal"),
     "any phi: quaternion": _whole("phi_quaternion"),
     "any phi: axis": _whole("phi_axis phi_determinant"),
+    "any phi: constant volume element": _whole("phi_determinant", "the derivative of the cube of φ"),
     "any phi: inverse": _whole("phi_inverse_tangent"),
     "any phi: twist": _whole("phi_twist"),
     "any phi: body twist": _whole("phi_body_tangent body_twist phi_inverse_tangent"),

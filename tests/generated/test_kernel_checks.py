@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable
 from fractions import Fraction
 from functools import partial
@@ -14,87 +13,31 @@ import pytest
 
 from dualcay import cayley3, interop, rotation
 from tests.support import sampling
-from tests.support.kernels import load
+from tests.support.conditions import KERNELS, REFUSALS, assert_refused, right, way_back
 from tests.support.signatures import components_first
 
 LAST = [1, 2, 3, 0, 5, 6, 7, 4]
-REFLECTION = np.diag([1.0, 1.0, -1.0, 1.0])
-TRANSPOSED = np.eye(4)
-TRANSPOSED[3, :3] = 1, 2, 3
-TURNED = [np.cos(0.5), np.sin(0.5), 0, 0]
-
-WRONG: dict[str, tuple[str, Any, str]] = {
-    "zeros": ("from_pose", np.zeros((4, 4)), "Q Qᵀ is not I, off by 1 "),
-    "twice the identity": ("from_pose", 2 * np.eye(4), "det Q is not 1, off by 7 "),
-    "a reflection": ("from_pose", REFLECTION, "det Q is not 1, off by 2 "),
-    "a translation in the last row": ("from_pose", TRANSPOSED, "its last row is not [0, 0, 0, 1], off by 3 "),
-    "NaN": ("from_pose", np.full((4, 4), np.nan), "off by nan "),
-    "an infinite entry": ("from_pose", np.where(np.eye(4) > 0, np.inf, 0), "off by (inf|nan) "),
-    "a quaternion of zeros": ("from_quaternion", np.zeros(8), "the square of its real part is not 1, off by 1 "),
-    "a quaternion not of length 1": ("from_quaternion", [0, 0, 0, 1.1, 0, 0, 0, 0], "not 1, off by 0.21 "),
-    "a dual part along the real one": ("from_quaternion", [*TURNED, *TURNED], "to its real part, off by 0.42 "),
-    "a tensor of zeros": ("from_tensor", np.zeros((2, 3, 3)), "Q Qᵀ is not I"),
-    "a reflection of a tensor": ("from_tensor", [-np.eye(3), np.zeros((3, 3))], "det Q is not 1, off by 2 "),
-    "a dual part that stretches": ("from_tensor", [np.eye(3), np.eye(3)], "times Qᵀ is not skew, off by 0.5 "),
-    "a moment alone": ("from_screw", [0, 0, 0, 0, 0, 1], "the square of its direction is not 1, off by 1 "),
-    "a direction of length 2": ("from_screw", [0, 2, 0, 0, 0, 1], "the square of its direction is not 1, off by 3 "),
-    "a moment along the direction": ("from_screw", [0, 0, 1, 0, 0, 1], "perpendicular to its direction, off by 0.5 "),
-}
 
 
-def way_back(kernel: ModuleType, name: str) -> Callable[..., np.ndarray]:
-    """Return an inverse map as a function of one argument; ``from_screw`` gets the angle 0.3."""
-    function = getattr(kernel, name)
-
-    def from_line(line: Any, **given: Any) -> np.ndarray:
-        angle = np.array([0.3, 0.0], np.result_type(np.asarray(line), np.float32))
-        return function(angle, line, **given)
-
-    return from_line if name == "from_screw" else function
-
-
-def right(kernel: ModuleType, name: str, v: np.ndarray) -> np.ndarray:
-    made = {"from_pose": kernel.pose, "from_quaternion": kernel.quaternion, "from_tensor": kernel.tensor}
-    return made[name](v) if name in made else kernel.to_screw(v)[1]
-
-
-@pytest.mark.parametrize("case", WRONG)
-def test_invalid_poses_are_refused_with_check_only(kernel: ModuleType, case: str) -> None:
-    name, value, message = WRONG[case]
-    function = way_back(kernel, name)
-    with np.errstate(all="ignore"):
-        assert function(value).shape == (6,)
-    with pytest.raises(ValueError, match=re.escape(message).replace(r"\(inf\|nan\)", "(inf|nan)")):
-        function(value, check=True)
-
-
-@pytest.mark.parametrize("name", ["from_pose", "from_quaternion", "from_tensor", "from_screw"])
 @pytest.mark.parametrize("axis", [-1, 0])
-def test_check_names_the_first_invalid_element(name: str, axis: int) -> None:
-    kernel = load(3)
-    function = way_back(kernel, name)
-    value = right(kernel, name, sampling.poses(3, "uniform", count=6).reshape(2, 3, 6))
-    rank = value.ndim - 2
-    given = components_first(value, rank) if axis == 0 else value
+@pytest.mark.parametrize(("kernels", "name"), REFUSALS)
+def test_check_names_the_first_wrong_element_and_its_largest_violation(kernels: str, name: str, axis: int) -> None:
+    x, function = right(kernels, name, sampling.poses(3, "uniform", count=6)), way_back(KERNELS[kernels], name)
+    given = components_first(x, x.ndim - 1) if axis == 0 else x
     np.testing.assert_array_equal(function(given, axis=axis, check=True), function(given, axis=axis))
-    value[1, 0] *= 3
-    value[1, 2] *= 9
-    given = components_first(value, rank) if axis == 0 else value
-    place = "[..., 1, 0]" if axis == 0 else "[1, 0]"
-    argument = {"from_pose": "T", "from_quaternion": "q", "from_tensor": "R", "from_screw": "line"}[name]
-    with pytest.raises(ValueError, match=re.escape(f"{argument}{place} is no ")):
-        function(given, axis=axis, check=True)
-    with pytest.raises(ValueError, match=re.escape(f"{argument}[0] is no ")):
-        function(value[1], check=True)
+    assert_refused(KERNELS[kernels], kernels, name, x[0], axis)
+    with np.errstate(all="ignore"):
+        assert function(0 * given, axis=axis).shape == function(given, axis=axis).shape  # refused with check only
+    with pytest.raises(ValueError, match=r"off by (inf|nan) "):  # and no warning
+        function(np.full_like(given, np.inf), axis=axis, check=True)
 
 
 @pytest.mark.parametrize("dtype", [np.float32, np.float64, np.longdouble])
-@pytest.mark.parametrize("name", ["from_pose", "from_quaternion", "from_tensor", "from_screw"])
-def test_check_tolerance_is_the_square_root_of_eps(name: str, dtype: Any) -> None:
+@pytest.mark.parametrize(("kernels", "name"), REFUSALS)
+def test_check_tolerance_is_the_square_root_of_eps(kernels: str, name: str, dtype: Any) -> None:
     """Scale arguments by 1 + s: the square changes by 2 s, the determinant by 3 s; the last row of a pose stays."""
-    kernel, step = load(3), np.sqrt(np.finfo(dtype).eps)
-    function = way_back(kernel, name)
-    value = right(kernel, name, sampling.poses(3, "uniform", count=4)).astype(dtype)
+    step, function = np.sqrt(np.finfo(dtype).eps), way_back(KERNELS[kernels], name)
+    value = right(kernels, name, sampling.poses(3, "uniform", count=4)).astype(dtype)
     scaled = (slice(None), slice(3)) if name == "from_pose" else ()
     for part, passes in ((step / 8, True), (2 * step, False)):
         off = value.copy()
@@ -138,6 +81,10 @@ def test_check_may_be_the_largest_violation_allowed(function: Callable[..., Any]
             function(*given, check=wrong)
     with pytest.raises(ValueError, match="off by nan"):
         function(*given[:-1], np.multiply(given[-1], np.nan), check=1e3)
+
+
+def test_a_violation_of_the_allowed_size_passes() -> None:
+    assert rotation.cayley3.from_quaternion([1.5, 0, 0, 0], check=1.25).shape == (3,)
 
 
 @pytest.mark.parametrize("regime", ["translation 1e6", "angle 1e-12", "pure translation", "at pi", "identity"])

@@ -145,6 +145,15 @@ def test_a_number_that_is_not_finite_gives_nan(both: tuple[ModuleType, ModuleTyp
                     assert np.isnan(found[1]).all(), (function, index, wrong)
                     assert np.isfinite(found[::2]).all(), (function, index, wrong)
                 assert np.isnan(getattr(module, function)(altered[1])).all(), (function, index)
+        angle, line = module.to_screw(v) if hasattr(module, "pose") else module.to_angle_axis(v)
+        for place, index in [(0, i) for i in np.ndindex(angle.shape[1:])] + [
+            (1, i) for i in np.ndindex(line.shape[1:])
+        ]:
+            screw = [angle.copy(), line.copy()]
+            screw[place][(1, *index)] = np.nan
+            found = getattr(module, "from_screw" if hasattr(module, "pose") else "from_angle_axis")(*screw)
+            assert np.isnan(found[1]).all(), (place, index)
+            assert np.isfinite(found[::2]).all(), (place, index)
         zero = np.zeros((2, *given["from_quaternion"].shape[1:]), dtype)
         for _, found in calls(module.from_quaternion, zero):
             assert np.isnan(found).all()

@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 import dualcay
+from dualcay import _numbers
 from tests.support.first_principles import pack
 from tests.support.kernels import ALIKE, load, orders
 from tests.support.nilpotent import Nil, conjugate, exact_field, hamilton, power
@@ -140,3 +141,7 @@ def test_matrix6_keeps_every_type(kernel: ModuleType) -> None:
     exact = dualcay.matrix6(kernel.tangent(np.array(V, dtype=object)))
     assert exact.dtype == object
     assert exact.shape == (6, 6)
+
+
+def test_reciprocals_of_objects_are_exact() -> None:
+    assert _numbers.Objects.reciprocals(Fraction(2), 3, 7) == (Fraction(1, 3), Fraction(1, 7))

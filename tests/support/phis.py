@@ -80,6 +80,32 @@ KINDS: tuple[Callable[[random.Random], str], ...] = (
 """Forms of φ with random numbers."""
 
 
+REMOVABLE = {
+    "(3*(alpha - sin(alpha))/4)**(1/3)": ("fold", "2*pi"),
+    "alpha*(6*(alpha - sin(alpha))/alpha**3)**(1/3)": ("fold", "2*pi"),
+    "-(sin(alpha) - alpha)**(1/3)": ("fold", "2*pi"),
+    "(alpha**3 + alpha**5)**(1/3)": ("cut", "4*pi"),
+    "(sinh(alpha/2) - sin(alpha/2))**(1/3)": ("cut", "4*pi"),
+    "(alpha**5 + tan(alpha/6)**7)**(1/5)": ("pole", "3*pi"),
+    "alpha*sqrt(2*(1 - cos(alpha))/alpha**2)": ("fold", "pi"),
+    "(1 - cos(alpha))/alpha": ("fold", "2.331122370414"),
+    "sin(alpha/2)**2/alpha": ("fold", "2.331122370414"),
+    "alpha**2*csc(alpha/4)": ("pole", "4*pi"),
+    "3*(1/alpha - cot(alpha/4)/4)": ("pole", "4*pi"),
+}
+"""Kind and edge of φ whose texts are 0/0, or roots of 0, at α = 0."""
+
+SUMS = {
+    "alpha + alpha/(9 - alpha**2)": ("pole", "3"),
+    "alpha*(1 + 1/(4 - alpha**2))": ("pole", "2"),
+    "alpha + alpha/(16 - alpha**2)**3": ("pole", "4"),
+    "alpha + alpha/(9 - alpha**2)**(1/3)": ("pole", "3"),
+    "tan(alpha/4) + alpha/(50 - alpha**2)": ("pole", "2*pi"),
+    "atan(alpha) + alpha/(1 - alpha**2/20)": ("pole", "2*sqrt(5)"),
+}
+"""Kind and edge of sums of a bounded term and a pole."""
+
+
 # --- edges by a search --------------------------------------------------------------------------------------------
 
 

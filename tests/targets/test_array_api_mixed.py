@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 from derive.codegen.signatures import PUBLIC, ROTATIONS
+from tests.support import conditions
 from tests.support.kernels import load
 from tests.support.libraries import LIBRARIES, QUICKLY, on_host
 from tests.support.rotation_arguments import arguments
@@ -92,6 +93,13 @@ def test_other_libraries_take_branch_and_check(module, strict):
     shadow = module.shadow(v, 1)
     assert type(module.compose(V, shadow)) is type(v)
     assert_nearly_equal(np.asarray(shadow), module.shadow(np.asarray(v), 1))
+
+
+@pytest.mark.parametrize("axis", [-1, 0])
+@pytest.mark.parametrize(("kernels", "name"), conditions.REFUSALS)
+def test_check_names_the_first_wrong_element_and_its_largest_violation(module, rotations, strict, kernels, name, axis):
+    x = conditions.right(kernels, name, V)
+    conditions.assert_refused(rotations if kernels == "rotations" else module, kernels, name, x, axis, strict.asarray)
 
 
 def test_components_first(module, strict):

@@ -24,7 +24,7 @@ pytestmark = pytest.mark.compiler
 CHARTS = (Cayley(3), family("exponential"))
 LIBRARIES = {
     "boost": ("boost/multiprecision/cpp_bin_float.hpp", "typedef boost::multiprecision::cpp_bin_float_50 Digits50;"),
-    "ceres": ("ceres/jet.h", "typedef ceres::Jet<double, 2> Ceres; inline double shown(const Ceres &x) { return x.a; }"),
+    "ceres": ("ceres/jet.h", "typedef ceres::Jet<double, 2> Ceres; inline double shown(const Ceres &x) {return x.a;}"),
 }
 """Headers of libraries of Debian, and what a program takes from them."""
 
@@ -72,7 +72,8 @@ def calls(chart: Chart) -> list[FloatCase]:
 
 
 def results(
-    chart: Chart, asked: Sequence[FloatCase], headers: Path, tmp_path: Path, scalar: str, through: str, library: str = ""
+    chart: Chart, asked: Sequence[FloatCase], headers: Path, tmp_path: Path, scalar: str, through: str,
+    library: str = "",
 ) -> list[list[str]]:
     """Return what a chart's functions give for cases, on a class that is made of another type."""
     header, text = LIBRARIES.get(library, ("", ""))

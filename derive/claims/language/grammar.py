@@ -83,7 +83,10 @@ class Grammar:
 
     def refused(self, node: ast.expr, text: str) -> Exception:
         """Return the error for a node that is not allowed."""
-        message = f"not understood in {self.noun}: {source(node, text)[:60]!r} (known are {self.known})"
+        known = f"known are {self.known}"
+        if isinstance(node, ast.BinOp) and isinstance(node.op, ast.BitXor):
+            known = "write ** for a power"
+        message = f"not understood in {self.noun}: {source(node, text)[:60]!r} ({known})"
         return self.error(message, node.col_offset + 1)
 
 

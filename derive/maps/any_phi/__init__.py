@@ -10,7 +10,7 @@ beyond                    A proved number of Newton's steps finds the angle from
                           and its derivatives.
 ========================  ==========================================================================================
 
-In the order of their use: `grammar`, `expressions`, `intervals`, `edges`, `near_zero`, `rounding`, `phi_values`,
-`guesses`, `first_guess`, `general`, `parameterization`. Other rooms import the last one alone. This file imports
-nothing: `grammar` works without SymPy.
+In the order of their use: `grammar`, `expressions`, `regular`, `taylor`, `intervals`, `edges`, `near_zero`, `rounding`,
+`phi_values`, `guesses`, `first_guess`, `lengths`, `general`, `parameterization`. Other rooms import the last one alone.
+This file imports nothing: `grammar` works without SymPy.
 """

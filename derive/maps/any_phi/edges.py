@@ -28,6 +28,7 @@ import sympy
 from ..angle_of_length import real_value
 from ..families import alpha
 from ..phi_error import PhiError
+from ..quotient import elementary
 from .intervals import Intervals, Undecided, precise
 
 PHI_DIGITS = 60
@@ -71,7 +72,8 @@ def edge_of(phi: sympy.Expr) -> Edge:
         stopped = marched[-1][1] if marched else mpmath.mpf(0)
         if stopped >= cut:
             return Edge(EDGE_MAX * sympy.pi, "cut", flat=_flat(slope, marched))
-        found = _edge_beyond(at, phi, slope, stopped)
+        plain = elementary(phi)
+        found = _edge_beyond(at, plain, plain.diff(alpha), stopped)
         if found.kind == "cut":
             return Edge(EDGE_MAX * sympy.pi, "cut", flat=_flat(slope, marched))
         return Edge(found.angle, found.kind, found.order, _flat(slope, marched))
@@ -111,6 +113,16 @@ def _is_positive(at: Intervals, f: sympy.Expr, rise: sympy.Expr, low: Any, high:
         return bool(middle > half * at.size(at.enclosure(rise, whole))[1])
     except Undecided:
         return False
+
+
+def require_values(part: sympy.Expr, edge: sympy.Expr) -> None:
+    """Raise `PhiError` if a part that cancels in φ is not proved to have values from 0 up to the edge."""
+    with precise() as at:
+        end = mpmath.mpf(min(edge, EDGE_MAX * sympy.pi).evalf(mpmath.mp.dps)) - WINDOW
+        *_, (_, low) = [(0, mpmath.mpf(0)), *cells(at, 1 + part**2, mpmath.mpf(0), end)]
+    if low < end:
+        where = f"alpha = {mpmath.nstr(low, 6)}"
+        raise PhiError(f"{part} cancels in phi, and nothing proves that it has a value at {where}: leave it out")
 
 
 # --- the edge -----------------------------------------------------------------------------------------------------

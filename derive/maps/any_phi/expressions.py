@@ -24,6 +24,7 @@ from ...algebra.cayley_pairs import require_order
 from ...claims.language.grammar import source
 from ..families import alpha
 from ..phi_error import PhiError
+from ..quotient import Quotient, mirror
 from . import grammar
 
 ODD = (sympy.sin, sympy.tan, sympy.asin, sympy.atan, sympy.sinh, sympy.tanh, sympy.asinh, sympy.atanh)
@@ -96,21 +97,34 @@ def _without_common_cosines(product: sympy.Expr) -> sympy.Expr:
 
 def parsed(text: str, order: int | None = None) -> sympy.Expr:
     """Return a text as an expression in `families.alpha`, with `order` for n; `PhiError` names a refused part."""
-    text, order = text.strip(" "), order if order is None else require_order(order)
-    tree = grammar.PHI.tree(text)
-    try:
-        found = _Builder(text, order).build(tree)
-    except ZeroDivisionError:
-        raise PhiError(f"phi divides by zero: {text!r}") from None
+    found = _built(text, order)[0]
     if found.has(sympy.zoo, sympy.nan, sympy.oo, -sympy.oo):
         raise PhiError(f"phi divides by zero: {text!r}")
     return _real(found)
+
+
+def left_out(text: str, order: int | None = None) -> list[sympy.Expr]:
+    """Return the functions and terms that a text holds and its expression lacks, such as ``log(alpha)`` times 0."""
+    found, parts = _built(text, order)
+    without_factor = dict.fromkeys(part.as_coeff_Mul()[1] for part in parts)
+    return [_in_quotients(part) for part in without_factor if part.has(alpha) and not found.has(part)]
+
+
+def _built(text: str, order: int | None) -> tuple[sympy.Expr, list[sympy.Expr]]:
+    """Return the expression of a text, with its functions, and the operands of sums and products without α."""
+    text, order = grammar.spelled(text), order if order is None else require_order(order)
+    tree, builder = grammar.PHI.tree(text), _Builder(text, order)
+    try:
+        return builder.build(tree), builder.parts
+    except ZeroDivisionError:
+        raise PhiError(f"phi divides by zero: {text!r}") from None
 
 
 class _Builder:
     def __init__(self, text: str, order: int | None) -> None:
         self.text = text
         self.order = order
+        self.parts = list[sympy.Expr]()
 
     def build(self, node: ast.expr) -> sympy.Expr:
         """Return the expression of a node that `grammar` allows."""
@@ -129,9 +143,14 @@ class _Builder:
                 left, right = self.build(node.left), self.build(node.right)
                 if isinstance(node.op, ast.Div) and right.is_zero:
                     raise ZeroDivisionError
-                return OPERATIONS[type(node.op)](left, right)
+                found = OPERATIONS[type(node.op)](left, right)
+                if not found.has(alpha):
+                    self.parts += [left, right if left or not isinstance(node.op, ast.Div) else 1 / right]
+                return found
             case ast.Call(func=ast.Name(id=name)):
-                return getattr(sympy, name)(self.build(node.args[0]))
+                found = getattr(sympy, name)(self.build(node.args[0]))
+                self.parts.append(found)
+                return found
         raise TypeError(f"the grammar of phi does not allow {node!r}")
 
     def _name(self, name: str) -> sympy.Expr:
@@ -160,6 +179,8 @@ def parity(expression: sympy.Expr) -> int | None:
         return -1
     if alpha not in expression.free_symbols:
         return 1
+    if isinstance(expression, Quotient):
+        return mirror(expression.above) * (-1) ** expression.power or None
     parts = [parity(argument) for argument in expression.args]
     if expression.is_Add:
         return parts[0] if len(set(parts)) == 1 else None

@@ -9,6 +9,7 @@ steps and halvings. A φ for which no number is proved is refused.
 from __future__ import annotations
 
 import itertools
+import math
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from fractions import Fraction
@@ -20,6 +21,7 @@ import sympy
 from ...algebra.arithmetic import PLAIN
 from ..angle_of_length import angle_of, real_value
 from ..phi_error import PhiError
+from ..quotient import elementary
 from ..real_constants import polynomial
 from .edges import Edge, closed_inverse, with_quotients
 from .guesses import LENGTH, LOGARITHM, Closed, Fitted, Guess, Halved, Variable, derivatives, fold, pole
@@ -33,8 +35,11 @@ TOLERANCE = mpmath.mpf(10) ** -30
 STEPS_MAX, STEPS_HALVED = 7, 5
 """Largest number of Newton steps, and the number after halvings."""
 HALVINGS_MAX = 32
-DIGITS_LEFT = {"pole": 53, "fold": 27, "cut": 0}
-"""Distance to the edge, in binary digits, to which steps are proved; floats resolve no angles nearer to it."""
+DIGITS = 53
+"""Binary digits of the distance to a pole to which steps are proved; floats resolve no angles nearer to it.
+
+At a fold with a zero of φ′ of order m, the length has the digits of the power m + 1 of the distance.
+"""
 PARTS, PARTS_MAX = 48, 6000
 PARTED_MAX, PARTED_FOR_FEWER = 16, {"steps": 3, "count": 13}
 """Largest number of times that an interval is halved to prove any number, and to prove fewer steps or halvings."""
@@ -44,7 +49,7 @@ def guess(phi: sympy.Expr, edge: Edge, limit: Fraction) -> Guess:
     """Return the first guess for x beyond a limit; `PhiError` if no guess is proved to lead to the root."""
     if edge.kind == "pole" and not edge.order:
         raise PhiError(f"phi = {phi} grows like a logarithm near its edge {edge.angle}: floats lose the angle there")
-    if edge.kind == "fold" and edge.order > 1:
+    if edge.kind == "fold" and edge.order > 1 and not edge.angle > sympy.pi:
         raise PhiError(f"phi' of phi = {phi} has a double zero at its edge {edge.angle}: floats lose the angle there")
     with precise() as at:
         end, start = mpmath.mpf(edge.angle.evalf(mpmath.mp.dps)), mpmath.mpf(limit.numerator) / limit.denominator
@@ -59,18 +64,18 @@ def guess(phi: sympy.Expr, edge: Edge, limit: Fraction) -> Guess:
 def _guesses(phi: sympy.Expr, edge: Edge, first: Any, end: Any) -> Iterator[Guess]:
     size = mpmath.inf if edge.kind == "pole" else _square(phi, end)
     # near a fold √(1 − x/X) determines the angle more accurately than the length does
-    if edge.kind != "fold" and (inverse := closed_inverse(phi)) is not None:
+    if edge.kind != "fold" and (inverse := closed_inverse(elementary(phi))) is not None:
         yield Closed(phi, end, size, 1, inverse)
     variables = [LENGTH, LOGARITHM]
     if edge.kind != "cut":
-        variables = [fold(size) if edge.kind == "fold" else pole(real_value(phi, end / 2, phi), edge.order)]
+        variables = [fold(size, edge.order) if edge.kind == "fold" else pole(real_value(phi, end / 2, phi), edge.order)]
     for variable in variables:
         yield _fitted(phi, edge, variable, first, end)
-    halved = Halved(phi, end, size, STEPS_HALVED, phi, None, 1)
+    halved = Halved(phi, end, size, STEPS_HALVED, elementary(phi), None, 1)
     if edge.kind != "pole":
         yield halved
     else:
-        powers = with_quotients(phi).as_powers_dict()
+        powers = with_quotients(halved.f).as_powers_dict()
         f = sympy.Mul(*(base ** (-power / edge.order) for base, power in powers.items()))
         yield replace(halved, f=f, order=edge.order)
 
@@ -131,7 +136,8 @@ def _parts(edge: Edge, first: Any, end: Any) -> list[tuple[Any, Any]]:
     if edge.kind == "cut":
         ends = [first + (end - first) * k / PARTS for k in range(PARTS + 1)]
     else:
-        ends = [end - (end - first) * mpmath.mpf(2) ** (-k / 4) for k in range(4 * DIGITS_LEFT[edge.kind])]
+        digits = DIGITS if edge.kind == "pole" else math.ceil(DIGITS / (edge.order + 1))
+        ends = [end - (end - first) * mpmath.mpf(2) ** (-k / 4) for k in range(4 * digits)]
     return list(itertools.pairwise(ends))
 
 
@@ -166,8 +172,6 @@ def _steps(
     for step in range(STEPS_MAX + 1):
         if error <= TOLERANCE * left:
             return step
-        if not 2 * ratio * error <= 1:
-            return None
         error = ratio * error**2
     return None
 

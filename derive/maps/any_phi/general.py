@@ -26,12 +26,14 @@ from ..angle_chart import AngleChart
 from ..families import alpha
 from ..order_charts import Derivatives, half_angle
 from ..phi_error import SYMBOLIC_ONLY, PhiError
+from ..quotient import Quotient, elementary
 from ..real_constants import plus
 from ..scalars import NOISE, DependentScalars, scalar
 from .edges import PHI_DIGITS, Edge, edge_of
 from .first_guess import guess
 from .guesses import Guess, from_end
-from .near_zero import Ratio, ratio
+from .lengths import Lengths
+from .near_zero import Ratio, length_ratio, ratio
 from .phi_values import PhiValues
 from .rounding import require_digits
 
@@ -103,7 +105,7 @@ class GeneralScalars(DependentScalars):
         return self.m.name("alpha", self._select(self._a(0) * r, self.far_angle))
 
     _circular = cached_property(lambda at: half_angle(at.far_angle, at._length, at.m))
-    _slopes = cached_property(lambda at: PhiValues(at.far_angle, at.m))
+    _slopes = cached_property(lambda at: at.chart.lengths(at.far_angle, at.far_angle * at.far_angle, at.m, "f"))
 
     def _derivative(self, count: int) -> Coefficient:
         return self._slopes.derivative(self.chart.phi, count)
@@ -176,6 +178,24 @@ class General(AngleChart):
         """Polynomials of a(x) and its derivatives, below a limit."""
         return ratio(self.expression, self._edge)
 
+    @property
+    def _first(self) -> Any:
+        """Angle at the limit of x."""
+        return self.inverse(mpmath.sqrt(float(self.near.limit)))
+
+    @cached_property
+    def beside_zero(self) -> Ratio | None:
+        """Polynomials of φ/α in α², and its derivatives; None if φ is no quotient at 0.
+
+        They hold up to half a turn, or else up to the angle at the limit of x.
+        """
+        if not self.expression.has(Quotient):
+            return None
+        try:
+            return length_ratio(self.expression, mpmath.pi)
+        except PhiError:
+            return length_ratio(self.expression, self._first)
+
     @cached_property
     def far(self) -> Guess:
         """First guess of Newton's method beyond the limit."""
@@ -187,7 +207,7 @@ class General(AngleChart):
 
     @property
     def remainder(self) -> float:
-        return self.near.remainder + stumpff.REMAINDER
+        return max(of.remainder for of in (self.near, self.beside_zero) if of) + stumpff.REMAINDER
 
     def overflow(self, largest: float) -> tuple[str, float]:
         if self._edge.kind == "pole":
@@ -211,8 +231,8 @@ class General(AngleChart):
                 end = self.edge if self.edge.has(sympy.pi) else self.edge.evalf(8)
                 reason = f"ends at alpha = {end}, and poses that turn further, up to pi, have no v"
                 raise PhiError(f"phi = {self.phi} {reason}")
-            require_digits(self.expression, self._edge, self.inverse(mpmath.sqrt(float(self.near.limit))))
-            _ = self.far
+            require_digits(elementary(self.expression), self._edge, self._first)
+            _ = self.far, self.beside_zero
         except PhiError as error:
             raise PhiError(f"{error}: {SYMBOLIC_ONLY}") from None
 
@@ -247,5 +267,11 @@ class General(AngleChart):
             left = m.where(m.less(over, 0), 1 + none, none)
         left = m.name(f"left{mark}", left)
         one = m.name(f"inside{mark}", m.div(left, left))
-        at = PhiValues(angle, m)
-        return at.derivative(self.phi, 0) * one, at.derivative(self.phi, 1) * one, at.derivative(self.phi, 2) * one
+        at = self.lengths(angle, own, m, mark)
+        r, slope, bend = (at.derivative(self.phi, count) for count in range(3))
+        return r * one, slope * one, bend * one
+
+    def lengths(self, angle: Coefficient, square: Coefficient, m: Arithmetic, mark: str) -> PhiValues | Lengths:
+        """Return φ and its derivatives at an angle, given its square."""
+        near = self.beside_zero
+        return Lengths(near, self.far.edge, angle, square, m, mark) if near else PhiValues(angle, m)

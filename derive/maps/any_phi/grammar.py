@@ -17,6 +17,12 @@ OPERATORS = (ast.Add, ast.Sub, ast.Mult, ast.Div, ast.Pow)
 KNOWN = f"numbers, {', '.join(NAMES)}, + - * / **, {', '.join(FUNCTIONS)}"
 
 
+def spelled(phi: str) -> str:
+    """Return a text of φ without outer spaces, with ``alpha`` for the letter α."""
+    return phi.strip(" ").replace("α", "alpha")
+
+
+
 def _parts(node: ast.expr) -> Sequence[ast.expr] | None:
     match node:
         case ast.Name() if node.id in NAMES:

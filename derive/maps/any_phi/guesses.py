@@ -19,6 +19,7 @@ from ...algebra import Coefficient
 from ...algebra.arithmetic import PLAIN, Arithmetic
 from ..angle_of_length import real_value
 from ..families import alpha
+from ..quotient import elementary
 from ..real_constants import Polynomial, plus, times
 from ..scalars import NOISE
 from .intervals import Intervals
@@ -103,13 +104,14 @@ LOGARITHM = Variable("Logarithm", lambda x, r, m: m.log1p(r), lambda z: mpmath.e
 """Variable ``z = log(1 + r)``, for a fast-growing φ."""
 
 
-def fold(size: Any) -> Variable:
-    """Return the variable ``z = √(1 − x/X)``, for which the angle is analytic at a fold."""
+def fold(size: Any, order: sympy.Rational) -> Variable:
+    """Return the variable ``z = (1 − x/X)^(1/(order + 1))``, for which the angle is analytic at a fold."""
+    count = int(order) + 1
     return Variable(
         "Fold",
-        lambda x, r, m: from_end(x, size, m),
-        lambda z: size * (1 - z * z),
-        lambda r, z: -r / z * (1 / size),
+        lambda x, r, m: PhiValues(from_end(x, size, m), m).at(alpha ** sympy.Rational(2, count)),
+        lambda z: size * (1 - z**count),
+        lambda r, z: -r / z ** (count - 1) * (mpmath.mpf(2) / (count * size)),
         True,
     )
 
@@ -226,5 +228,5 @@ class Halved(Guess):
 
 @lru_cache(maxsize=64)
 def derivatives(f: sympy.Expr) -> tuple[sympy.Expr, sympy.Expr]:
-    """Return the first and the second derivative by α."""
-    return f.diff(alpha), f.diff(alpha, 2)
+    """Return the first and the second derivative by α, in elementary functions."""
+    return elementary(f).diff(alpha), elementary(f).diff(alpha, 2)

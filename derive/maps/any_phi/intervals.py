@@ -10,7 +10,8 @@ import importlib
 import importlib.util
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from functools import cache
+from functools import cache, reduce
+from operator import mul
 from types import SimpleNamespace
 from typing import Any, TypeAlias
 
@@ -19,11 +20,17 @@ import sympy
 
 from ..elementary import evaluate
 from ..families import alpha
+from ..quotient import BOUND, Quotient
+from .taylor import Series, library
 
 BITS = 224
 """Working precision of enclosures: more than 60 digits."""
 
 Function: TypeAlias = Callable[[Any], Any]
+SQUARES = [mpmath.ldexp(1, k) for k in range(-5, 4)]
+"""Half sides of squares about 0 in which quotients are series."""
+TERMS = 40
+"""Number of terms of a quotient's series before the remainder."""
 WITHOUT_CUTS = ("sin", "cos", "exp", "sinh", "cosh", "tanh")
 
 
@@ -74,14 +81,53 @@ class Intervals:
 
     def enclosure(self, expression: sympy.Expr, at: Any) -> Any:
         """Return an enclosure of an expression in α at a real interval or a complex rectangle."""
-        library = self.complex if hasattr(at, "imag") and not self._is_real(at) else self.real
         try:
-            found = evaluate(expression, alpha, at, library) + 0 * at
+            found = evaluate(expression, alpha, at, self._library(at)) + 0 * at
             if mpmath.isfinite(self.size(found)[1]):
                 return found
         except (ZeroDivisionError, ValueError, OverflowError, mpmath.libmp.ComplexResult):
             pass
         raise Undecided
+
+    def _library(self, at: Any) -> SimpleNamespace:
+        of = self.complex if hasattr(at, "imag") and not self._is_real(at) else self.real
+        return SimpleNamespace(**vars(of), quotient=self.quotient)
+
+    def quotient(self, e: Quotient, at: Any) -> Any:
+        """Return an enclosure of ``N(α)/α^k``: as a quotient, or as the series of N from the term k on, if narrower.
+
+        The remainder ``c_M α^(M−k)`` is Taylor's: c_M encloses the coefficient of order M at all points of a square
+        about 0, and therefore its mean along the way from 0 to α.
+        """
+        low, size = self.size(at)
+        side = next((side for side in SQUARES if size <= side), None)
+        found = list[Any]()
+        if side is not None and (series := self._terms(e, side)) is not None:
+            terms, rest = series
+            first = rest.real if self._is_real(at) else rest
+            found.append(reduce(lambda value, term: value * at + term, reversed(terms), first))
+        if low > 0 or not found:
+            found.append(evaluate(e.above, BOUND, at, self._library(at)) / at**e.power)
+        return min(found, key=self._width)
+
+    def _width(self, value: Any) -> Any:
+        low, high = self.size(value)
+        return high - low if mpmath.isfinite(high) else mpmath.inf
+
+    @cache  # noqa: B019  # one object per library
+    def _terms(self, e: Quotient, side: Any) -> tuple[list[Any], Any] | None:
+        """Return the terms of a quotient at 0, and c_M for a square about 0; None if N is not analytic there."""
+        count, along = e.power + TERMS, self.interval(-side, side)
+        point, square = (
+            Series([middle, 1 + 0 * middle, *[0 * middle] * (count - 1)])
+            for middle in (self.interval(mpmath.mpf(0), mpmath.mpf(0)), self.rectangle(along, along))
+        )
+        try:
+            first, rest = (evaluate(e.above, BOUND, at, library(self._library(at.terms[0]))) for at in (point, square))
+        except (Undecided, ZeroDivisionError, ValueError, OverflowError, mpmath.libmp.ComplexResult):
+            return None
+        bound = rest.terms[-1]
+        return (first.terms[e.power : -1], bound) if mpmath.isfinite(self.size(bound)[1]) else None
 
     def _is_real(self, at: Any) -> bool:
         return hasattr(at, "_mpi_")
@@ -93,7 +139,7 @@ class Balls(Intervals):
     def __init__(self) -> None:
         flint: Any = importlib.import_module("flint")
         self.context, self._arb, self._acb = flint.ctx, flint.arb, flint.acb
-        entire = {name: _method(name) for name in WITHOUT_CUTS} | {"constant": self._constant}
+        entire = {name: _method(name) for name in WITHOUT_CUTS} | {"constant": self._constant, "power": self._power}
         cut = _with_cuts(lambda a: a.log(analytic=True), lambda a: a.sqrt(analytic=True), flint.acb(0, 1))
         self.complex = SimpleNamespace(**entire, **cut)
         circular = {"sin": self._sin, "cos": lambda a: self._sin(a + self._arb.pi() / 2)}
@@ -104,6 +150,10 @@ class Balls(Intervals):
         middle = a.mid()
         beside, half = a - middle, ((a - middle) / 2).sin()
         return middle.sin() * (1 - 2 * half * half) + middle.cos() * beside.sin()
+
+    def _power(self, a: Any, count: int) -> Any:
+        """Return a power as a product; that of python-flint is undefined for balls that hold 0."""
+        return reduce(mul, count * [a])
 
     def rectangle(self, re: Any, im: Any) -> Any:
         return self._acb(re, im)
@@ -134,7 +184,7 @@ def _with_cuts(log: Function, sqrt: Function, i: Any) -> dict[str, Function]:
     return {
         "log": log, "sqrt": sqrt,
         "asin": lambda a: -i * log(i * a + sqrt(1 - a * a)),
-        "acos": lambda a: -i * log(a + i * sqrt(1 - a * a)),
+        "acos": lambda a: -2 * i * log(sqrt((1 + a) / 2) + i * sqrt((1 - a) / 2)),
         "atan": lambda a: i / 2 * (log(1 - i * a) - log(1 + i * a)),
         "asinh": lambda a: log(a + sqrt(1 + a * a)),
         "atanh": lambda a: (log(1 + a) - log(1 - a)) / 2,

@@ -12,7 +12,7 @@ Errors are in units of a(0) and X.
 from __future__ import annotations
 
 import itertools
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import lru_cache
@@ -41,7 +41,8 @@ LIMIT_RANGE = mpmath.mpf(2) ** -22, mpmath.mpf(2) ** 18
 """Least and largest limit of x, so that limits are fractions of small integers."""
 DEGREES = range(8, 40)
 DERIVATIVES = 3
-ARCS = 128
+ARCS, PARTS = 128, 12
+"""Number of arcs on a quarter of a circle, and of squares along a radius of the disc."""
 NEEDED = f"phi/alpha needs a positive real part on a circle |alpha| = R in the complex plane, R >= {RADII[-1]}"
 
 
@@ -74,21 +75,53 @@ def _ratio(phi: sympy.Expr, edge: Edge, near: Any) -> Ratio:
         end = mpmath.mpf(edge.angle.evalf(PHI_DIGITS))
         slope = mpmath.mpf(evaluate(phi.diff(alpha), alpha, mpmath.mpf(0)))
         limit = _rounded_down(phi, mpmath.mpf(evaluate(phi, alpha, min(near, end / 5))) ** 2)
-        X = mpmath.mpf(limit.numerator) / limit.denominator
-        bound, within = _circle(phi, X)
-        half_sum = (within - X / 2) / (X / 4)  # ρ + 1/ρ of the ellipse whose half axis reaches from X/2 to m
-        rho = half_sum / 2 + mpmath.sqrt(half_sum**2 / 4 - 1)
-        degree = next((n for n in DEGREES if _error_bound(bound * slope, rho, n) < ERROR_MAX), None)
-        if degree is None:
-            raise PhiError(f"phi = {phi} would need a polynomial of degree above {DEGREES[-1]} near 0")
-        coefficients = _interpolated(phi, edge, X, degree)
-        scale = int(mpmath.ceil(mpmath.log(X, 2)))
-        found = []
-        for _ in range(DERIVATIVES + 1):
-            found.append(polynomial([c * mpmath.mpf(2) ** (scale * k) for k, c in enumerate(coefficients)], scale))
-            coefficients = [k * c for k, c in enumerate(coefficients)][1:]
-        rounding = max(split.rounding * X**count for count, split in enumerate(found)) * slope
-        return Ratio(tuple(found), limit, float(_error_bound(bound * slope, rho, degree) + rounding))
+        bound, within = _circle(phi, mpmath.mpf(limit.numerator) / limit.denominator)
+
+        def share(x: Any) -> Any:
+            return angle_of(phi, edge.angle, mpmath.sqrt(x)) / mpmath.sqrt(x)
+
+        return _fitted(phi, share, limit, bound * slope, within, 1 / slope)
+
+
+def length_ratio(phi: sympy.Expr, angle: Any) -> Ratio:
+    """Return polynomials for φ/α as a function of α², up to an angle or a little beyond; `PhiError` if none is proved.
+
+    On a circle |α| = R about a disc in which φ is analytic, |φ/α| is at most ``max |φ|/R``, and so it is inside.
+    """
+    with mpmath.workdps(PHI_DIGITS):
+        limit = Fraction(int(64 * angle**2) + 1, 64)
+        slope = mpmath.mpf(evaluate(phi.diff(alpha), alpha, mpmath.mpf(0)))
+
+        def share(square: Any) -> Any:
+            return real_value(phi, mpmath.sqrt(square), phi) / mpmath.sqrt(square)
+
+        for radius in RADII:
+            if radius**2 > 2 * angle**2 and is_analytic(phi, radius, 2 * PARTS) and (most := largest(phi, radius)):
+                return _fitted(phi, share, limit, most / (radius * slope), radius**2, slope)
+        raise PhiError(f"nothing proves that phi = {phi} is analytic in a disc |alpha| < {mpmath.nstr(2 * angle, 3)}")
+
+
+def _fitted(phi: sympy.Expr, share: Callable[[Any], Any], limit: Fraction, bound: Any, within: Any, unit: Any) -> Ratio:
+    """Return polynomials that interpolate a function of x below a limit; `PhiError` if the degree were too high.
+
+    The function is analytic for |x| < `within`, and at most `bound` there in units of its value at 0, the `unit`.
+    """
+    X = mpmath.mpf(limit.numerator) / limit.denominator
+    half_sum = (within - X / 2) / (X / 4)  # ρ + 1/ρ of the ellipse whose half axis reaches from X/2 to m
+    rho = half_sum / 2 + mpmath.sqrt(half_sum**2 / 4 - 1)
+    degree = next((n for n in DEGREES if _error_bound(bound, rho, n) < ERROR_MAX), None)
+    if degree is None:
+        raise PhiError(f"phi = {phi} would need a polynomial of degree above {DEGREES[-1]} near 0")
+    nodes = chebyshev_points(0, X, degree + 1)
+    fit = interpolated([x / X for x in nodes], [share(x) for x in nodes])
+    coefficients = [c / X**k for k, c in enumerate(fit)]
+    scale = int(mpmath.ceil(mpmath.log(X, 2)))
+    found = []
+    for _ in range(DERIVATIVES + 1):
+        found.append(polynomial([c * mpmath.mpf(2) ** (scale * k) for k, c in enumerate(coefficients)], scale))
+        coefficients = [k * c for k, c in enumerate(coefficients)][1:]
+    rounding = max(split.rounding * X**count for count, split in enumerate(found)) / unit
+    return Ratio(tuple(found), limit, float(_error_bound(bound, rho, degree) + rounding))
 
 
 def _rounded_down(phi: sympy.Expr, size: Any) -> Fraction:
@@ -106,13 +139,7 @@ def _error_bound(bound: Any, rho: Any, degree: int) -> Any:
         inner = rho ** (mpmath.mpf(share) / 16)
         apart = (inner + 1 / inner - 2) / 4  # distance of the interval from the inner ellipse
         found.append(4 * bound * (inner / rho) ** degree / (rho / inner - 1) * 6 * max(1, apart**-3))
-    return max(4 * bound * rho**-degree / (rho - 1), min(found))
-
-
-def _interpolated(phi: sympy.Expr, edge: Edge, X: Any, degree: int) -> list[Any]:
-    nodes = chebyshev_points(0, X, degree + 1)
-    values = [angle_of(phi, edge.angle, mpmath.sqrt(x)) / mpmath.sqrt(x) for x in nodes]
-    return [c / X**k for k, c in enumerate(interpolated([x / X for x in nodes], values))]
+    return min(found)
 
 
 def chebyshev_points(low: Any, high: Any, count: int) -> list[Any]:
@@ -138,7 +165,7 @@ def _circle(phi: sympy.Expr, X: Any) -> tuple[Any, Any]:
 
 @lru_cache(maxsize=256)
 def smallest(phi: sympy.Expr, radius: Any) -> Any:
-    """Return a lower bound of |φ| on a quarter of a circle; None unless ``Re φ/(φ′(0) α) > 0`` is proved there."""
+    """Return a lower bound of |φ| on a quarter of a circle, above 0; None unless ``Re φ/(φ′(0) α) > 0`` is proved."""
     least = mpmath.inf
     with precise() as at:
         slope = real_value(phi.diff(alpha), mpmath.mpf(0), phi)
@@ -150,15 +177,24 @@ def smallest(phi: sympy.Expr, radius: Any) -> Any:
                 least = min(least, at.size(value)[0])
         except Undecided:
             return None
-    return least if least > 0 else None
+    return least
+
+
+def largest(phi: sympy.Expr, radius: Any) -> Any:
+    """Return an upper bound of |φ| on a circle; None if nothing is proved."""
+    with precise() as at:
+        try:
+            return max(at.size(at.enclosure(phi, box))[1] for box in _arcs(at, radius))
+        except Undecided:
+            return None
 
 
 @lru_cache(maxsize=256)
-def is_analytic(phi: sympy.Expr, radius: Any) -> bool:
+def is_analytic(phi: sympy.Expr, radius: Any, parts: int = PARTS) -> bool:
     """Return whether φ is proved to be analytic in a quarter of a disc."""
     with precise() as at:
         try:
-            for box in _squares(at, radius):
+            for box in _squares(at, radius, parts):
                 at.enclosure(phi, box)
         except Undecided:
             return False
@@ -172,7 +208,7 @@ def _arcs(at: Intervals, radius: Any) -> Iterator[Any]:
         yield at.rectangle(size * at.real.cos(angle), size * at.real.sin(angle))
 
 
-def _squares(at: Intervals, radius: Any, parts: int = 12) -> Iterator[Any]:
+def _squares(at: Intervals, radius: Any, parts: int) -> Iterator[Any]:
     """Yield squares that cover a quarter of the disc."""
     sides = [at.interval(radius * i / parts, radius * (i + 1) / parts) for i in range(parts)]
     for i, j in itertools.product(range(parts), repeat=2):

@@ -14,10 +14,13 @@ from ..exponential import Exponential
 from ..multiple import Multiple
 from ..named import Base, Named, sine
 from ..phi_error import PhiError
+from ..quotient import elementary
 from ..real_constants import is_small
-from .edges import edge_of
-from .expressions import expression_of, multiple_of_known, parity
+from .edges import edge_of, require_values
+from .expressions import expression_of, left_out, multiple_of_known, parity
 from .general import General
+from .grammar import spelled
+from .regular import regular
 
 
 def recognized(phi: sympy.Expr) -> Named | None:
@@ -41,14 +44,18 @@ def parameterization(phi: str | sympy.Expr, name: str, order: int | None = None)
 
     `order` is the value of n in a text. A refused φ raises `PhiError` with the reason.
     """
-    expression = expression_of(phi, order)
+    phi = spelled(phi) if isinstance(phi, str) else phi
+    expression = regular(expression_of(phi, order))
     if not (name.isidentifier() and name.isascii() and not keyword.iskeyword(name)):
         raise PhiError(f"the name of a module is an identifier, got {name!r}")
     if expression != 0 and parity(expression) != -1:  # edge_of refuses φ = 0 for its slope
         raise PhiError(f"phi = {expression} is not odd by its structure: write it as a sum of odd terms")
     with_n = f" -n {order}" if order is not None else ""
     selection = ("--phi", f"{shlex.quote(phi if isinstance(phi, str) else str(phi))} --name {name}{with_n}")
-    if found := recognized(expression):
-        return replace(found, name=name, selection=selection)
-    edge_of(expression)
-    return General(name, expression, selection, f"The chart of phi = {expression}")
+    known = recognized(expression)
+    edge = known.edge if known else edge_of(expression).angle
+    for part in left_out(phi, order) if isinstance(phi, str) else ():
+        require_values(part, edge)
+    if known:
+        return replace(known, name=name, selection=selection)
+    return General(name, expression, selection, f"The chart of phi = {elementary(expression)}")

@@ -18,6 +18,7 @@ from ...algebra.arithmetic import Arithmetic
 from ...algebra.cayley_pairs import Pair
 from ..families import alpha
 from ..order_charts import double_angle
+from ..quotient import elementary
 from ..real_constants import is_small, number, plus, times
 from .edges import PHI_DIGITS
 
@@ -50,8 +51,9 @@ class PhiValues:
         """Return a derivative of φ, or φ itself for count 0.
 
         For a quotient ``φ = N/D``, Leibniz's rule for ``φ D = N`` gives the derivative from shared parts. A product of
-        sums is no such part: its terms would cancel where a sum is near 0.
+        sums is no such part: its terms would cancel where a sum is near 0. At 0 itself φ must not be a `Quotient`.
         """
+        phi = elementary(phi)
         above, below = sympy.fraction(sympy.together(phi)) if phi.is_rational_function(alpha) else (phi, sympy.S.One)
         if not below.has(alpha) or _sums(above) > 1 or _sums(below) > 1:
             return self.at(phi.diff(alpha, count))
@@ -108,7 +110,7 @@ class PhiValues:
         return value if exponent > 0 else self.m.div(1, value)
 
     def _root(self, base: sympy.Expr, degree: int) -> Coefficient:
-        """Return a root of a positive number: beyond degree 2 by its logarithm, with a Newton step for all digits."""
+        """Return a root of a number ≥ 0: beyond degree 2 by its logarithm, with a Newton step for all digits."""
         m, a = self.m, self.at(base)
         if degree <= 2:
             return a if degree == 1 else m.sqrt(a)
@@ -116,7 +118,7 @@ class PhiValues:
         larger = 1 + m.expm1(m.div(size, degree))
         root = m.corrected(m.where(below, 1, larger) / m.where(below, larger, 1))
         power = _to_power(root, degree - 1)
-        return root - (root - a / power) / degree
+        return m.where(m.equal(a, 0), a, root - (root - a / power) / degree)
 
     def _atan(self, a: Coefficient) -> Coefficient:
         """Return the arc tangent, by ``π/2 − atan(1/a)`` beyond 1.

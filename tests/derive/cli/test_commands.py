@@ -26,7 +26,7 @@ from derive.codegen.targets import TARGETS
 from derive.maps import Cayley
 from derive.output import write
 from derive.papers import PAPERS
-from docs.pages import field
+from docs.pages import field, proving
 from proofs import rounding
 from tests.support.command import ROOT, dualcay, in_a_process
 

@@ -131,6 +131,7 @@ FITTED = {
     "alpha + alpha**3": "23 7/256 3.26e-19 Logarithm 4",
     "alpha + 9*sin(alpha)/10": "21 91/64 5.67e-19 Halved by 8 5",
     "tan(alpha/5) + alpha/10": "16 5/32 2.77e-19 Pole 4",
+    "(3*(alpha - sin(alpha))/4)**(1/3)": "21 23/64 2.98e-19 Fold 5",
 }
 """Fits by φ: degree near 0, limit of x, remainder; first guess and number of Newton steps beyond the limit."""
 
@@ -175,6 +176,26 @@ def test_ratio_and_derivatives_near_zero_are_within_the_remainder(chart) -> None
             for k, polynomial in enumerate(chart.near.polynomials):
                 off = abs(polynomial.at(x, PLAIN, "") - exact[k] * mpmath.factorial(k))
                 assert off * limit**k <= chart.near.remainder * chart.limits[0][0], k
+
+
+def test_the_length_near_zero_is_within_its_remainder() -> None:
+    """Take φ/α and two derivatives by α² of the homochoric vector, which kernels use where α − sin α loses digits."""
+    chart: Any = parameterization("(3*(alpha - sin(alpha))/4)**(1/3)", "of_user")
+    near = chart.beside_zero
+    limit = mpmath.mpf(near.limit.numerator) / near.limit.denominator
+    assert chart.inverse(mpmath.sqrt(float(chart.near.limit))) ** 2 < limit
+
+    def ratio(square):
+        angle = mpmath.sqrt(square)
+        return mpmath.cbrt(3 * (angle - mpmath.sin(angle)) / 4) / angle
+
+    with mpmath.workdps(2 * PHI_DIGITS):
+        for share in ("0.05", "0.5", "1"):
+            square = limit * mpmath.mpf(share)
+            exact = mpmath.taylor(ratio, square, 2)
+            for k in range(3):
+                off = abs(near.polynomials[k].at(square, PLAIN, "") - exact[k] * mpmath.factorial(k))
+                assert off * limit**k <= near.remainder / 2, k
 
 
 @pytest.mark.parametrize("phi", ["40*sinh(alpha)", "1/40*(sin(alpha/2) + alpha/50)"])

@@ -42,6 +42,7 @@ WORDS = (
         ("alpha/(1 + alpha**2/40)", alpha / (1 + alpha**2 / 40)),
         ("2*n*tan(alpha/(2*n))", 6 * sympy.tan(alpha / 6)),
         ("0.1*alpha - -1.5e-2*alpha", sympy.Rational(23, 200) * alpha),
+        (" 4*tan(α/4) + α", 4 * sympy.tan(alpha / 4) + alpha),
         ("sqrt(2)*sin(alpha/pi)", sympy.sqrt(2) * sympy.sin(alpha / sympy.pi)),
     ],
 )
@@ -62,6 +63,7 @@ def test_accepted_texts(text: str, expected: sympy.Expr):
         *((f"alpha{mark}", f"not understood in phi: {mark!r}") for mark in "\n\r\f\v\t\\\x85\u2028\uff11"),
         ("\nalpha", "not understood in phi: '\\n'"),
         ("(alpha\n/2)", "not understood in phi: '\\n'"),
+        ("alpha^3 + alpha", "(write ** for a power)"),
         ("alpha +", "phi is no expression"),
         ("", "phi is no expression"),
         ("n*alpha", "give its value, by -n or as order="),

@@ -6,7 +6,7 @@ import mpmath
 import pytest
 import sympy
 
-from derive.about import FAMILIES
+from derive.about import FAMILIES, OTHER_FAMILIES
 from derive.algebra import Dual, Quaternion, Vector, functions
 from derive.algebra.arithmetic import PLAIN
 from derive.algebra.pose import Screw
@@ -17,8 +17,9 @@ from derive.maps.any_phi.parameterization import recognized
 from derive.maps.elementary import evaluate
 from derive.maps.families import alpha
 from derive.maps.multiple import POWERS
-from derive.maps.named import SYMBOLIC, described
+from derive.maps.named import described
 from derive.proof import prove
+from derive.proof.scalars import _volume
 
 
 @pytest.mark.parametrize(
@@ -43,13 +44,8 @@ def test_other_names_are_refused(name: str):
         family(name)
 
 
-def test_symbolic_families_are_refused_with_advice():
-    with pytest.raises(ValueError, match=r"isochoric is symbolic only.*derive.maps.named.SYMBOLIC has its phi"):
-        family("isochoric")
-
-
-def test_committed_families_exist():
-    assert [family(name).name for name in FAMILIES] == list(FAMILIES)
+def test_listed_families_exist():
+    assert [family(name).name for name in (*FAMILIES, *OTHER_FAMILIES)] == [*FAMILIES, *OTHER_FAMILIES]
 
 
 @pytest.mark.parametrize(
@@ -174,8 +170,17 @@ def test_scale_belongs_to_the_parameterization(name: str, gap) -> None:
     assert gap(Quaternion(s, w * t), Quaternion(functions.cos(half), at.axis * functions.sin(half))) < TINY
 
 
-def test_the_isochoric_parameterization_keeps_volumes() -> None:
-    cube = sympy.expand(SYMBOLIC["isochoric"] ** 3)
-    assert cube == 6 * alpha - 6 * sympy.sin(alpha)
-    # det T = 2 (1 − cos α)/(φ′ φ²), and 3 φ² φ′ = (φ³)′
-    assert sympy.expand(6 * (1 - sympy.cos(alpha)) - cube.diff(alpha)) == 0
+@pytest.mark.parametrize(("name", "volume"), [("homochoric", 8), ("isochoric", 1)])
+def test_volume_elements_are_constant(name: str, volume: int) -> None:
+    chart = family(name)
+    (proof,) = (proof for proof in prove(chart).proofs if proof.name == "constant volume element")
+    assert proof.claim[0].right == volume
+    assert sympy.expand(chart.written**3 - 6 * (alpha - sympy.sin(alpha)) / volume) == 0
+    for length in ("1e-9", "0.7", "1"):
+        det = chart.tangent.matrix([sympy.Float(length, 20), 0, 0, 0, 0, 0])[0].det()
+        assert abs(det - volume) < 1e-15
+
+
+def test_other_volume_elements_are_not_constant() -> None:
+    for chart in (family("lambert"), parameterization("cbrt(alpha - sin(alpha)*cos(alpha/9))", "mine")):
+        assert not [*_volume(chart)]
