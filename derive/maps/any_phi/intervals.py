@@ -1,13 +1,11 @@
 """Interval arithmetic: enclosures of an expression in α on real intervals and on complex rectangles.
 
-The balls of python-flint are used if it is installed, otherwise the intervals of mpmath, which are slower. `Undecided`
-is raised where a value may be undefined, or may touch a pole or a branch cut; a smaller interval may be decided.
+`Undecided` is raised where a value may be undefined, or may touch a pole or a branch cut; a smaller interval may be
+decided.
 """
 
 from __future__ import annotations
 
-import importlib
-import importlib.util
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from functools import cache, reduce
@@ -15,6 +13,7 @@ from operator import mul
 from types import SimpleNamespace
 from typing import Any, TypeAlias
 
+import flint
 import mpmath
 import sympy
 
@@ -39,45 +38,45 @@ class Undecided(Exception):
 
 
 class Intervals:
-    """Enclosures as intervals of mpmath, with libraries of their real and complex functions."""
+    """Enclosures as ``arb`` and ``acb`` of python-flint, with libraries of their real and complex functions."""
 
     def __init__(self) -> None:
-        iv = self.context = mpmath.iv
-        entire = {"sin": iv.sin, "cos": iv.cos, "exp": iv.exp, "constant": self._constant}
-        entire["sinh"] = lambda a: (iv.exp(a) - iv.exp(-a)) / 2
-        entire["cosh"] = lambda a: (iv.exp(a) + iv.exp(-a)) / 2
-        entire["tanh"] = lambda a: 1 - 2 / (iv.exp(2 * a) + 1)
-        cut = _with_cuts(self._log, lambda a: iv.exp(self._log(a) / 2), iv.mpc(0, 1))
+        entire = {name: _method(name) for name in WITHOUT_CUTS} | {"constant": self._constant, "power": self._power}
+        cut = _with_cuts(lambda a: a.log(analytic=True), lambda a: a.sqrt(analytic=True), flint.acb(0, 1))
         self.complex = SimpleNamespace(**entire, **cut)
-        self.real = SimpleNamespace(**entire, **{name: _real(of) for name, of in cut.items()})
+        circular = {"sin": self._sin, "cos": lambda a: self._sin(a + flint.arb.pi() / 2)}
+        self.real = SimpleNamespace(**(entire | circular), **{name: _method(name) for name in cut})
 
-    def _log(self, a: Any) -> Any:
-        """Return the principal logarithm for a positive real part."""
-        a = a if hasattr(a, "_mpci_") else self.context.mpc(a)
-        if not a.real.a > 0:
-            raise Undecided
-        return self.context.log(a)
+    def _sin(self, a: Any) -> Any:
+        """Return the sine, by ``sin(m + t) = sin m (1 − 2 sin² t/2) + cos m sin t``; python-flint widens by t."""
+        middle = a.mid()
+        beside, half = a - middle, ((a - middle) / 2).sin()
+        return middle.sin() * (1 - 2 * half * half) + middle.cos() * beside.sin()
+
+    def _power(self, a: Any, count: int) -> Any:
+        """Return a power as a product; that of python-flint is undefined for balls that hold 0."""
+        return reduce(mul, count * [a])
 
     def _constant(self, e: sympy.Expr) -> Any:
         value = mpmath.mpf(e.evalf(mpmath.mp.dps + 5))
         off = abs(value) * mpmath.ldexp(1, -BITS)
         return self.interval(value - off, value + off)
 
-    def interval(self, low: Any, high: Any) -> Any:
-        """Return the interval between two mpmath numbers."""
-        return self.context.mpf([low, high])
-
     def rectangle(self, re: Any, im: Any) -> Any:
         """Return the complex numbers with real and imaginary part in two intervals."""
-        return self.context.mpc(re, im)
+        return flint.acb(re, im)
+
+    def interval(self, low: Any, high: Any) -> Any:
+        """Return the interval between two mpmath numbers."""
+        return flint.arb(low).union(flint.arb(high))
 
     def bounds(self, value: Any) -> tuple[Any, Any]:
         """Return lower and upper bound of a real enclosure."""
-        return mpmath.mpf(value.a), mpmath.mpf(value.b)
+        return mpmath.mpf(value.lower()), mpmath.mpf(value.upper())
 
     def size(self, value: Any) -> tuple[Any, Any]:
         """Return lower and upper bound of the absolute value."""
-        return self.bounds(abs(value))
+        return mpmath.mpf(value.abs_lower()), mpmath.mpf(value.abs_upper())
 
     def enclosure(self, expression: sympy.Expr, at: Any) -> Any:
         """Return an enclosure of an expression in α at a real interval or a complex rectangle."""
@@ -130,53 +129,11 @@ class Intervals:
         return (first.terms[e.power : -1], bound) if mpmath.isfinite(self.size(bound)[1]) else None
 
     def _is_real(self, at: Any) -> bool:
-        return hasattr(at, "_mpi_")
-
-
-class Balls(Intervals):
-    """Enclosures as ``arb`` and ``acb`` of python-flint."""
-
-    def __init__(self) -> None:
-        flint: Any = importlib.import_module("flint")
-        self.context, self._arb, self._acb = flint.ctx, flint.arb, flint.acb
-        entire = {name: _method(name) for name in WITHOUT_CUTS} | {"constant": self._constant, "power": self._power}
-        cut = _with_cuts(lambda a: a.log(analytic=True), lambda a: a.sqrt(analytic=True), flint.acb(0, 1))
-        self.complex = SimpleNamespace(**entire, **cut)
-        circular = {"sin": self._sin, "cos": lambda a: self._sin(a + self._arb.pi() / 2)}
-        self.real = SimpleNamespace(**(entire | circular), **{name: _method(name) for name in cut})
-
-    def _sin(self, a: Any) -> Any:
-        """Return the sine, by ``sin(m + t) = sin m (1 − 2 sin² t/2) + cos m sin t``; python-flint widens by t."""
-        middle = a.mid()
-        beside, half = a - middle, ((a - middle) / 2).sin()
-        return middle.sin() * (1 - 2 * half * half) + middle.cos() * beside.sin()
-
-    def _power(self, a: Any, count: int) -> Any:
-        """Return a power as a product; that of python-flint is undefined for balls that hold 0."""
-        return reduce(mul, count * [a])
-
-    def rectangle(self, re: Any, im: Any) -> Any:
-        return self._acb(re, im)
-
-    def interval(self, low: Any, high: Any) -> Any:
-        return self._arb(low).union(self._arb(high))
-
-    def bounds(self, value: Any) -> tuple[Any, Any]:
-        return mpmath.mpf(value.lower()), mpmath.mpf(value.upper())
-
-    def size(self, value: Any) -> tuple[Any, Any]:
-        return mpmath.mpf(value.abs_lower()), mpmath.mpf(value.abs_upper())
-
-    def _is_real(self, at: Any) -> bool:
-        return isinstance(at, self._arb)
+        return isinstance(at, flint.arb)
 
 
 def _method(name: str) -> Function:
     return lambda a: getattr(a, name)()
-
-
-def _real(of_complex: Function) -> Function:
-    return lambda a: of_complex(a).real
 
 
 def _with_cuts(log: Function, sqrt: Function, i: Any) -> dict[str, Function]:
@@ -191,21 +148,16 @@ def _with_cuts(log: Function, sqrt: Function, i: Any) -> dict[str, Function]:
     }  # fmt: skip
 
 
-@cache
-def backend(name: str | None = None) -> Intervals:
-    """Return the intervals of ``flint`` or ``mpmath``; by default those of python-flint, if installed."""
-    name = name or ("flint" if importlib.util.find_spec("flint") else "mpmath")
-    return Balls() if name == "flint" else Intervals()
+INTERVALS = Intervals()
+"""Enclosures of this process."""
 
 
 @contextmanager
 def precise() -> Iterator[Intervals]:
-    """Work in the precision of enclosures, with the intervals that are installed."""
-    found = backend()
-    before = found.context.prec
-    found.context.prec = BITS
+    """Work in the precision of enclosures."""
+    before, flint.ctx.prec = flint.ctx.prec, BITS
     try:
         with mpmath.workprec(BITS + 32):
-            yield found
+            yield INTERVALS
     finally:
-        found.context.prec = before
+        flint.ctx.prec = before

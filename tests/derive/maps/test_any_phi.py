@@ -71,12 +71,7 @@ def test_edge_range_and_singular_angles_agree_with_a_search(text: str) -> None:
 
 
 @pytest.mark.parametrize("text", list(KNOWN))
-@pytest.mark.parametrize("backend", ["flint", "mpmath"])
-def test_edges_that_samples_miss(text: str, backend: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    if backend == "flint":
-        pytest.importorskip("flint")
-    chosen = intervals.backend(backend)
-    monkeypatch.setattr(intervals, "backend", lambda: chosen)
+def test_edges_that_samples_miss(text: str) -> None:
     found = edges.edge_of.__wrapped__(parsed(text))
     kind, angle = KNOWN[text]
     assert found.kind == kind
