@@ -33,7 +33,7 @@ from .cayley3 import CHART as BASE
 
 ORDER = 3
 
-CHART = multiple(BASE, __name__, 6, 1, constant=('inside',), programs="6e9d27351da5ab5c")
+CHART = multiple(BASE, __name__, 6, 1, constant=('inside',), programs="6a07fd58886962ea")
 
 KERNELS = PoseKernels(CHART)
 # the functions of this module are the methods of KERNELS

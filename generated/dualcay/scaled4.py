@@ -33,7 +33,7 @@ from .cayley4 import CHART as BASE
 
 ORDER = 4
 
-CHART = multiple(BASE, __name__, 8, 1, constant=('inside',), programs="102fd01669428b10")
+CHART = multiple(BASE, __name__, 8, 1, constant=('inside',), programs="92626f8df0e4c37a")
 
 KERNELS = PoseKernels(CHART)
 # the functions of this module are the methods of KERNELS

@@ -33,7 +33,7 @@ from .cayley5 import CHART as BASE
 
 ORDER = 5
 
-CHART = multiple(BASE, __name__, 10, 1, constant=('inside',), programs="0f5b4c0752d7904d")
+CHART = multiple(BASE, __name__, 10, 1, constant=('inside',), programs="3289ee0cdb1a9387")
 
 KERNELS = PoseKernels(CHART)
 # the functions of this module are the methods of KERNELS

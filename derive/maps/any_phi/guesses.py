@@ -20,7 +20,7 @@ from ...algebra.arithmetic import PLAIN, Arithmetic
 from ..angle_of_length import real_value
 from ..families import alpha
 from ..real_constants import Polynomial, plus, times
-from ..scalars import NOISE
+from ..noise import NOISE
 from .intervals import Intervals
 from .phi_values import PhiValues
 

@@ -22,7 +22,7 @@ from ._interface import RotationKernels
 
 ORDER = 2
 
-CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="14c6159e6d8afb5b")
+CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="f32ef0ce004e7748")
 
 KERNELS = RotationKernels(CHART)
 # the functions of this module are the methods of KERNELS

@@ -22,7 +22,7 @@ from ._interface import RotationKernels
 
 ORDER = 1
 
-CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="7fbf339a155c9fb6")
+CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="dcd2fc63622114b2")
 
 KERNELS = RotationKernels(CHART)
 dcay = KERNELS.tangent

@@ -22,7 +22,7 @@ from ._interface import RotationKernels
 
 ORDER = 2
 
-CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="07ff67e9c1c5ef5b")
+CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="714c4d3a7701943f")
 
 KERNELS = RotationKernels(CHART)
 dcay = KERNELS.tangent

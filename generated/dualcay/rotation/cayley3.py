@@ -22,7 +22,7 @@ from ._interface import RotationKernels
 
 ORDER = 3
 
-CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="c57af4bd8612f56c")
+CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="70ef7b16d3412485")
 
 KERNELS = RotationKernels(CHART)
 dcay = KERNELS.tangent

@@ -22,7 +22,7 @@ from ._interface import RotationKernels
 
 ORDER = 4
 
-CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="f520f8bdb500a793")
+CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="1d316d7da8d97c97")
 
 KERNELS = RotationKernels(CHART)
 dcay = KERNELS.tangent

@@ -22,7 +22,7 @@ from ._interface import RotationKernels
 
 ORDER = 5
 
-CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="abace0dd651c59f6")
+CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="1dc2d29b462b97f9")
 
 KERNELS = RotationKernels(CHART)
 dcay = KERNELS.tangent

@@ -22,7 +22,7 @@ from ._interface import RotationKernels
 
 ORDER = 8
 
-CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="ee945d1ba0db6abf")
+CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="71001f1f9be4ab60")
 
 KERNELS = RotationKernels(CHART)
 dcay = KERNELS.tangent

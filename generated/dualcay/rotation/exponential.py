@@ -22,7 +22,7 @@ from ._interface import RotationKernels
 
 ORDER = 1
 
-CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="2945ebeff7902a47")
+CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="c51e83d364c47690")
 
 KERNELS = RotationKernels(CHART)
 dexp = KERNELS.tangent

@@ -22,7 +22,7 @@ from ._interface import RotationKernels
 
 ORDER = 2
 
-CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="83f26982e7e840b3")
+CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="8ef889b70e559946")
 
 KERNELS = RotationKernels(CHART)
 # the functions of this module are the methods of KERNELS

@@ -22,7 +22,7 @@ from ._interface import RotationKernels
 
 ORDER = 1
 
-CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="d63cb1c55d8e83ca")
+CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="f584f4ed41985d21")
 
 KERNELS = RotationKernels(CHART)
 # the functions of this module are the methods of KERNELS

@@ -22,7 +22,7 @@ from ._interface import RotationKernels
 
 ORDER = 1
 
-CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="8618e118d2d1ee79")
+CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="cbe97d728d6d5e2f")
 
 KERNELS = RotationKernels(CHART)
 # the functions of this module are the methods of KERNELS

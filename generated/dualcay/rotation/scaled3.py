@@ -22,7 +22,7 @@ from ._interface import RotationKernels
 
 ORDER = 3
 
-CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="5c72fdf2b69943f8")
+CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="8093f7aba9add36d")
 
 KERNELS = RotationKernels(CHART)
 # the functions of this module are the methods of KERNELS

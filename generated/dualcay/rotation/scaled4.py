@@ -22,7 +22,7 @@ from ._interface import RotationKernels
 
 ORDER = 4
 
-CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="c033f60ea573dd05")
+CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="cc6190555571b53e")
 
 KERNELS = RotationKernels(CHART)
 # the functions of this module are the methods of KERNELS

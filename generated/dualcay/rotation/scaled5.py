@@ -22,7 +22,7 @@ from ._interface import RotationKernels
 
 ORDER = 5
 
-CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="f335ba71758b6569")
+CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="36d3329ead553fef")
 
 KERNELS = RotationKernels(CHART)
 # the functions of this module are the methods of KERNELS

@@ -22,7 +22,7 @@ from ._interface import RotationKernels
 
 ORDER = 3
 
-CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="c2efeb13b395146f")
+CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="126f22030b830e55")
 
 KERNELS = RotationKernels(CHART)
 # the functions of this module are the methods of KERNELS

@@ -22,7 +22,7 @@ from ._interface import RotationKernels
 
 ORDER = 4
 
-CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="f7e37abf7e765a18")
+CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="d17122d6ac3ae912")
 
 KERNELS = RotationKernels(CHART)
 # the functions of this module are the methods of KERNELS

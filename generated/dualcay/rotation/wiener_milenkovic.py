@@ -22,7 +22,7 @@ from ._interface import RotationKernels
 
 ORDER = 2
 
-CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="367a23fc2ac0c1af")
+CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="d111fb61d52d33aa")
 
 KERNELS = RotationKernels(CHART)
 # the functions of this module are the methods of KERNELS
