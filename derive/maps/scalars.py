@@ -24,6 +24,7 @@ from .chart import Chart
 from .noise import NOISE, near_turn
 from .polynomials import Pair, Triple
 
+
 class scalar:
     """Scalar of a class with an arithmetic ``m``, computed once by its formula; its default name is the attribute's."""
 

@@ -308,7 +308,7 @@ def _coefficient(m: Any, alpha: Any) -> Result:
     return r, slope, alpha
 
 
-# r = phi(alpha), phi', and the number by which alpha is known, where sine and cosine belong to alpha/2
+# r = phi(alpha), phi', the number by which alpha is known, by sine and cosine of alpha/2
 def _coefficient_of(m: Any, alpha: Any, sine: Any, cosine: Any) -> Result:
     sideof = m.where(alpha < 0, -1, 1)
     size = m.abs(alpha)

@@ -11,8 +11,8 @@ import sympy
 from ...algebra import Quaternion
 from ...maps.chart import Chart, Followed
 from ...maps.multiple import FURTHER_POWERS, POWERS
-from ...maps.real_constants import number, plus
 from ...maps.noise import NOISE_OF_ANGLE
+from ...maps.real_constants import number, plus
 from ..programs.program import Constant, Program
 from ..programs.trace import Trace
 from ..programs.value import Number
@@ -52,7 +52,7 @@ FORMULAS: Mapping[str, tuple[str, str, tuple[str, ...]]] = {
     "beyond": ("truth of x > limit, beyond the principal branch, x or the limit, and the turn back", "", ()),
     "coefficient": ("`r = phi(alpha)`, phi', and the number by which alpha is known", "", ()),
     "coefficient_of": (
-        "`r = phi(alpha)`, phi', and the number by which alpha is known, where sine and cosine belong to alpha/2", "", (),
+        "`r = phi(alpha)`, phi', the number by which alpha is known, by sine and cosine of alpha/2", "", (),
     ),
     "followed": ("factors of vec e and v in the vector on the branch nearest v, and fi, by e, for T^-1", "", ()),
 }
