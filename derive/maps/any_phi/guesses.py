@@ -21,7 +21,7 @@ from ..angle_of_length import real_value
 from ..families import alpha
 from ..quotient import elementary
 from ..real_constants import Polynomial, plus, times
-from ..scalars import NOISE
+from ..noise import NOISE
 from .intervals import Intervals
 from .phi_values import PhiValues
 
