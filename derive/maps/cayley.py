@@ -21,12 +21,13 @@ from ..algebra.cayley_pairs import Pair, require_order
 from ..algebra.latex import bracketed, latex
 from . import closed_forms, polynomials
 from .cayley_scalars import CHAIN_POWER, HORNER_LIMIT, CayleyScalars
+from .chart import Followed
 from .chart_formulas import Map
 from .families import alpha
 from .formula import IsotropicMap, QuaternionMap
+from .noise import NOISE, near_turn
 from .order_charts import BranchesOfOrder, Derivatives, cayley_gain, near_pole, side_of_step
 from .polynomials import FIELD, Triple, rational, x
-from .scalars import NOISE
 
 EQUATIONS = {"quaternion": (50, 55), "tensor": (57,), "tangent": (88,), "tangent_inv": (89,)}
 """Numbers of the general equations of each map in CP23."""
@@ -203,20 +204,27 @@ class Cayley(BranchesOfOrder):
 
     def followed(
         self, x: Coefficient, along: Coefficient, e: Quaternion, size: Coefficient, turn: Coefficient, m: Arithmetic
-    ) -> Pair:
-        if self.order == 1:
-            return m.div(1, e.scalar), 0
+    ) -> Followed:
         if self.order > 2:
             return super().followed(x, along, e, size, turn, m)
-        side, beyond, more, square = side_of_step(e, size, turn, m)
-        return m.name("factor", m.where(beyond, side * more, side) / m.where(beyond, square, more)), 0
+        if self.order == 1:
+            factor = m.name("factor", m.div(1, e.scalar))
+        else:
+            side, beyond, more, square = side_of_step(e, size, turn, m)
+            factor = m.name("factor", m.where(beyond, side * more, side) / m.where(beyond, square, more))
+        return Followed(factor, 0, m.name("fe", factor * e.scalar), 0)
 
     def back(self, x: Coefficient, fi: Coefficient, m: Arithmetic) -> Pair:
         at = self.scalars(x, m)
         return at.fi, at.hi
 
     def at_known(self, x: Coefficient, fi: Coefficient, known: Coefficient, m: Arithmetic) -> CayleyScalars:
-        return self.scalars(x, m)
+        """Return scalars at x; next to a whole turn, where q_n has a zero, f_i gives 1/q_n."""
+        at = self.scalars(x, m)
+        if self.order > 2:
+            near = near_turn(fi, at.ai, m)
+            at._inverse_q = m.name("iq", m.where(near, fi, 1) / m.name("pq", m.where(near, at.p, at.q)))
+        return at
 
     def _direction(self, at: CayleyScalars, y: Coefficient, r: Coefficient, m: Arithmetic) -> Pair:
         """Return the sign of p q and ``r |q|``; both are NaN where p, ``r |q|`` or (n = 1) x overflows.

@@ -219,6 +219,7 @@ class CayleyScalars:
 
     # --- T⁻¹ = (fi I − skew(v) + hi v⊗v)/2, CP23 (89) ----------------------------------------------------------
 
+    ai = scalar(lambda at: at.m.div(at._beyond_one, at.order))  # 2 φ′ = (1 + x)/n
     _inverse_q = scalar(lambda at: at.m.div(1, at.q), "iq")
     _bracket = scalar(lambda at: at.d * at._inverse_q, "diq")
     _log_slope = scalar(lambda at: at.dq * at._inverse_q, "dqiq")  # q′/q

@@ -22,7 +22,7 @@ from dataclasses import fields
 from fractions import Fraction
 from functools import cached_property
 from types import FunctionType
-from typing import TYPE_CHECKING, Any, ClassVar, cast
+from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple, cast
 
 import sympy
 
@@ -30,11 +30,22 @@ from ..algebra import Coefficient, Quaternion
 from ..algebra.arithmetic import Arithmetic, Marked
 from ..algebra.cayley_pairs import Pair
 from .chart_formulas import ChartFormulas, Scalars
+from .noise import NOISE, NOISE_OF_STEPS, at_turn
 from .polynomials import Triple
-from .real_constants import number, plus, times
+from .real_constants import SMALL, number, plus, times
 
 if TYPE_CHECKING:
     from .cayley import Cayley
+
+
+class Followed(NamedTuple):
+    """Vector ``of_e vec e + of_v v`` after a step from v, with data of T⁻¹ there."""
+
+    of_e: Coefficient
+    of_v: Coefficient  # 0 unless the axis of v stays
+    fe: Coefficient  # f_i by the quaternion, which knows the distance from a whole turn
+    known: Coefficient  # number by which `Chart.at_known` knows the angle
+    lost: Coefficient = 0  # 1 where the distance from a whole turn is rounding noise, so that f_i is any large number
 
 
 class Chart(ChartFormulas):
@@ -153,11 +164,12 @@ class Chart(ChartFormulas):
 
     def followed(
         self, x: Coefficient, along: Coefficient, e: Quaternion, size: Coefficient, turn: Coefficient, m: Arithmetic
-    ) -> Pair:
-        """Return the factor of vec e in the vector that a step from v leads to, and the number `known` of its angle.
+    ) -> Followed:
+        """Return the vector that a step from v leads to, as factors of vec e and of v.
 
         The product e = exp(δ/2) q̂(v), or its reverse, has the norm `size`; ``along = v · vec e``; `turn` is the scalar
-        part of exp(δ/2). The angle is that nearest the projection of v's angle on the new axis.
+        part of exp(δ/2). The angle is that nearest the projection of v's angle on the new axis. Where vec e vanishes
+        at a whole turn, up to rounding beside v, the axis of v stays.
         """
         ss = m.name("ss", e.vector.dot(e.vector))
         still, resting = m.name("still", m.equal(ss, 0)), m.name("resting", m.equal(x, 0))
@@ -165,18 +177,33 @@ class Chart(ChartFormulas):
         length = m.name("length", m.sqrt(m.where(still, 1 + ss, ss)) + (ss - ss))
         r = m.name("rv", m.sqrt(m.where(resting, 1 + x, x)))
         own = self.unfolded(x, r, cast(Arithmetic, Marked(m, "v")))
-        projected = m.name("projected", m.where(resting, 0, own / r) * along / length)
-        sine = m.name("sine", m.where(still, ss, length))
+        own, part = m.name("ownv", m.where(resting, 0, own)), m.name("part", along / r)
         # an angle within half a turn has all digits near the identity, for both signs of e
         falling = m.name("falling", m.less(e.scalar, 0))
         cosine = m.name("cosine", m.where(falling, -e.scalar, e.scalar))
+        # vec e has its own direction, unless it is short, and along v but for rounding
+        across, below = m.sqrt(m.abs(ss - part * part)), m.where(m.less(length, cosine), cosine, length)
+        noise = m.name("noise", across / NOISE_OF_STEPS + ss / (NOISE * below))
+        apart = m.name("apart", m.less(cosine, m.beside(cosine, noise)))
+        projected = m.name("projected", m.where(apart, own * part / length, own))
+        sine = m.name("sine", m.where(still, ss, length))
         angle = m.name("folded", m.where(falling, -2, 2) * m.atan2(sine, cosine))
         turns = m.name("turns", projected - angle + 2 * m.atan2(m.tan(m.div(angle - projected, 2)), 1))
         # a multiple of 2π up to rounding; set to 0 on the principal branch, where rounding would spoil small angles
-        alpha = m.name("alphan", angle + m.where(m.less(m.abs(turns), 1), 0, turns))
-        r, slope = self.coefficient_of(alpha, sine, e.scalar, cast(Arithmetic, Marked(m, "n")))
-        rest = 2 * slope / m.name("z0s", m.where(still, e.scalar, length))
-        return m.name("factor", m.where(still, rest, r / length)), self.known(alpha, cast(Arithmetic, Marked(m, "n")))
+        principal = m.name("principal", m.less(m.abs(turns), 1))
+        turned = m.name("turned", m.either(apart, principal))
+        sine = m.name("sinen", m.where(turned, sine, part))
+        rest = m.name("rest", m.where(turned, angle, 2 * part / m.where(turned, 1, e.scalar)))
+        alpha = m.name("alphan", rest + m.where(principal, 0, turns))
+        rk, slope = self.coefficient_of(alpha, sine, e.scalar, cast(Arithmetic, Marked(m, "n")))
+        lost = m.name("lost", m.where(turned, 0, at_turn(part, cosine, rk, m)))
+        sharp = m.where(m.name("sharp", m.equal(lost, 0)), part, m.div(cosine, SMALL))
+        below = m.where(turned, m.where(still, e.scalar, length), sharp)
+        rk = m.name("above", m.where(m.both(turned, still), 2 * slope, rk))
+        factor = m.name("factor", rk / m.name("below", below))
+        of_e, of_v = m.where(turned, factor, 0), m.where(turned, 0, rk / r)
+        known = self.known(alpha, cast(Arithmetic, Marked(m, "n")))
+        return Followed(m.name("ofe", of_e), m.name("ofv", of_v), m.name("fe", factor * e.scalar), known, lost)
 
     def direction(self, x: Coefficient, y: Coefficient, r: Coefficient, m: Arithmetic) -> Coefficient:
         """Return the sign, 1 or −1, in the axis ``u = ±v/|v|`` of the principal angle, for ``r = |v|``."""

@@ -30,6 +30,7 @@ class ExponentialScalars(DependentScalars):
     """Scalars at x = α²."""
 
     rate = 1
+    ai = 2
     ratey = 0
     rateyy = 0
 

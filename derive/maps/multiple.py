@@ -22,14 +22,14 @@ import sympy
 from ..algebra import Coefficient, Quaternion
 from ..algebra.arithmetic import Arithmetic
 from ..algebra.cayley_pairs import Pair
-from .chart import Chart
+from .chart import Chart, Followed
 from .chart_formulas import Scalars
 from .order_charts import Derivatives
 from .polynomials import Triple, x
 from .real_constants import SMALL
 
 POWERS = {
-    "s": 0, "w": 1, "f": 1, "g": 2, "h": 3, "fi": -1, "hi": 1,
+    "s": 0, "w": 1, "f": 1, "g": 2, "h": 3, "fi": -1, "hi": 1, "ai": -1,
     "rate": 1, "ratey": 3, "sy": 2, "wy": 3, "fy": 3, "gy": 4, "hy": 5, "fiy": 1, "hiy": 3,
     "fyy": 5, "gyy": 6, "hyy": 7, "fiyy": 3, "hiyy": 5,
 }  # fmt: skip
@@ -37,7 +37,7 @@ POWERS = {
 
 FURTHER_POWERS = {
     "x": -2, "y": -2, "v11": -2, "v22": -2, "v33": -2, "r": -1, "fe": -1, "b": 1, "gain": -1, "rk": -1,
-    "place": -2, "along": -1, "factor": -1,
+    "place": -2, "along": -1, "of_e": -1,
 }  # fmt: skip
 """Powers of K that divide other numbers of the base chart; angles, turns and quaternions have none."""
 
@@ -152,10 +152,10 @@ class Multiple(Chart):
 
     def followed(
         self, x: Coefficient, along: Coefficient, e: Quaternion, size: Coefficient, turn: Coefficient, m: Arithmetic
-    ) -> Pair:
+    ) -> Followed:
         along = m.name("along_w", divided(along, self.factor, m))
-        factor, known = self.base.followed(self._square(x, m), along, e, size, turn, m)
-        return self._times(factor, m, "factor_v"), known
+        found = self.base.followed(self._square(x, m), along, e, size, turn, m)
+        return found._replace(of_e=self._times(found.of_e, m, "ofe_v"), fe=self._times(found.fe, m, "fe_v"))
 
     def natural(self, x: Coefficient, y: Coefficient, r: Coefficient, m: Arithmetic) -> Triple:
         angle, slope, sign = self.base.natural(self._square(x, m), y, self._length(r, m), m)

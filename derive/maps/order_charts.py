@@ -14,10 +14,11 @@ from ..algebra import Coefficient, Quaternion
 from ..algebra.arithmetic import Arithmetic
 from ..algebra.cayley_pairs import Pair
 from . import polynomials
-from .chart import Chart
+from .chart import Chart, Followed
 from .families import alpha
+from .noise import NOISE, NOISE_GIVEN
 from .polynomials import Triple
-from .scalars import NOISE, NOISE_GIVEN, QuaternionChart
+from .scalars import QuaternionChart
 
 Derivatives: TypeAlias = Triple
 """Value with its first and second derivatives."""
@@ -251,7 +252,7 @@ class OrderChart(BranchesOfOrder, QuaternionChart):
 
     def followed(
         self, x: Coefficient, along: Coefficient, e: Quaternion, size: Coefficient, turn: Coefficient, m: Arithmetic
-    ) -> Pair:
+    ) -> Followed:
         if self.order > 2:
             return super().followed(x, along, e, size, turn, m)
         if self.order == 1:
@@ -264,7 +265,8 @@ class OrderChart(BranchesOfOrder, QuaternionChart):
             c = m.name("known", m.where(beyond_half, m.div(sine, 2 * half), half))
             below = size * (2 * c)
         above, root = self.over_sine(c, m)
-        return m.name("factor", m.div(side * above, below * root)), c
+        factor = m.name("factor", m.div(side * above, below * root))
+        return Followed(factor, 0, m.name("fe", factor * e.scalar), c)
 
     def unfolded(self, x: Coefficient, r: Coefficient, m: Arithmetic) -> Coefficient:
         c, sigma = self.cosine(x, m)

@@ -22,23 +22,8 @@ from ..algebra import Coefficient
 from ..algebra.arithmetic import Arithmetic
 from ..algebra.cayley_pairs import Pair
 from .chart import Chart
+from .noise import NOISE, near_turn
 from .polynomials import Triple
-
-NOISE = 64
-"""Divisor in the test for rounding noise: a term is noise if ``sum + term/NOISE`` equals the sum.
-
-Noise is below 16 to 32 eps of the sum. At half a turn, errors are up to 4 eps of the length for v, 4π eps for α, and
-2π eps for ``cot(α/2)``.
-"""
-
-NOISE_GIVEN = NOISE // 4
-"""Divisor for noise in given quaternions and matrices: a side that inverse maps take is one that v keeps."""
-
-NOISE_OF_ANGLE = NOISE // 8
-"""Divisor for noise in a given angle at the edge, where φ has the side of θ = α/2n ≤ π/2.
-
-The rule lets α be off by 8 roundings of the edge, so θ by 8 π/2 < 13 roundings. `NOISE` allows 32 for cos θ.
-"""
 
 
 class scalar:
@@ -86,6 +71,7 @@ class DependentScalars:
     fy = scalar(lambda at: at.h - at.rate * at.g)
     gy = scalar(lambda at: at.f * at.h - at.g * at.g)
     fi = scalar(lambda at: at.m.div(at.s, at.w))
+    ai = scalar(lambda at: at.m.div(2, at.rate))
     hi = scalar(lambda at: (at.g - at.fi * at.h) / at.rate)
     fiy = scalar(lambda at: -(at.h / at.g))
 
@@ -115,9 +101,13 @@ class QuaternionChart(Chart):
         return fi, self.scalars(x, m).hi
 
     def at_known(self, x: Coefficient, fi: Coefficient, known: Coefficient, m: Arithmetic) -> DependentScalars:
-        """Return scalars with the given f_i, and h_i from f_i; T⁻¹ along the axis is φ′ for any error of f_i."""
+        """Return scalars with the given f_i, and h_i from f_i; T⁻¹ along the axis is φ′ for any error of f_i.
+
+        Next to a whole turn, f_i gives g as well.
+        """
         at = self.scalars(x, m)
         at.fi = fi
+        at.g = m.name("gn", m.where(near_turn(fi, at.ai, m), m.div(2, x + fi * fi), at.g))
         return at
 
     def natural(self, x: Coefficient, y: Coefficient, r: Coefficient, m: Arithmetic) -> Triple:

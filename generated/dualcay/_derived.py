@@ -109,8 +109,8 @@ POWERS: Mapping[str, tuple[tuple[int, ...], tuple[int, ...]]] = {
     "tangent_dot_scalars": ((2, 2, 2), (1, 2, 3, 3, 4, 5, 5, 6, 7)),
     "rate_scalars": ((2,), (1,)),
     "inverse_scalars": ((2, 1), (-1, 1)),
-    "inverse_at": ((2, 1, 0), (1,)),
-    "tangent_inv_at": ((2, 1, 0), (-1, 1, 1, 3)),
+    "inverse_at": ((2, 1, 0), (1, -1)),
+    "tangent_inv_at": ((2, 1, 0), (-1, 1, -1, 1, 3)),
     "tangent_inv_scalars": ((2,), (-1, 1, 1, 3)),
     "tangent_inv_dot_scalars": ((2,), (-1, 1, 1, 3, 3, 5)),
     "ray": ((2,), (0, 1, 0, 1, 2, 3)),
@@ -123,6 +123,7 @@ POWERS: Mapping[str, tuple[tuple[int, ...], tuple[int, ...]]] = {
     "turned": ((1, 0, 0), (-1, 0, 1)),
     "beyond": ((2,), (0, -2, 0, 0)),
     "coefficient": ((0,), (-1, -1, 0)),
-    "followed": ((2, 1, 0, 0, 0, 0, 0, 0), (-1, 0)),
+    "coefficient_of": ((0, 0, 0), (-1, -1, 0)),
+    "followed": ((2, 1, 0, 0, 0, 0, 0, 0), (-1, 0, -1, 0, 0)),
 }
 """Exponents of K by scalar program: divisors of its arguments, then divisors of its results; 0 for all others."""

@@ -836,10 +836,13 @@ def axis_of(m: Any, v: Components) -> Result:
     u3 = s3 / root
     ro = m.where(still, scale * root, u1 * v1o + u2 * v2o + u3 * v3o)
     ir = m.where(still, 0, 1) / root
-    ru1 = u1 * ro
-    ru2 = u2 * ro
-    ru3 = u3 * ro
-    return total * root, u1, u2, u3, ro, (v1o - ru1) / scale * ir, (v2o - ru2) / scale * ir, (v3o - ru3) / scale * ir
+    c1 = v2o * u3 - v3o * u2
+    c2 = v3o * u1 - v1o * u3
+    c3 = v1o * u2 - v2o * u1
+    return (
+        total * root, u1, u2, u3, ro, (u2 * c3 - u3 * c2) / scale * ir, (u3 * c1 - u1 * c3) / scale * ir,
+        (u1 * c2 - u2 * c1) / scale * ir,
+    )
 
 
 def to_screw(m: Any, c: Any, v: Components) -> Result:
@@ -879,9 +882,19 @@ def to_exponential(m: Any, c: Any, v: Components) -> Result:
     own, = c.unfolded(m, x, length)
     rate, = c.rate_scalars(m, x)
     share = m.where(resting, rate, own / length)
+    excess = (share - rate) / square
+    steep = excess < 0
     y = v1 * v1o + v2 * v2o + v3 * v3o
-    bend = (rate - share) * y / square
-    return v1 * share, v2 * share, v3 * share, v1o * share + v1 * bend, v2o * share + v2 * bend, v3o * share + v3 * bend
+    bend = m.where(steep, -excess, 0) * y
+    rest = m.where(steep, 0, excess)
+    c1 = (v2o * v3 - v3o * v2) * rest
+    c2 = (v3o * v1 - v1o * v3) * rest
+    c3 = (v1o * v2 - v2o * v1) * rest
+    both = m.where(steep, share, rate)
+    return (
+        v1 * share, v2 * share, v3 * share, v1o * both + (v2 * c3 - v3 * c2) + v1 * bend,
+        v2o * both + (v3 * c1 - v1 * c3) + v2 * bend, v3o * both + (v1 * c2 - v2 * c1) + v3 * bend,
+    )
 
 
 def from_exponential(m: Any, c: Any, w: Components) -> Result:
@@ -895,16 +908,23 @@ def from_exponential(m: Any, c: Any, w: Components) -> Result:
     within, = c.reached(m, alpha)
     rn, slopen, _ = c.coefficient(m, within)
     share = m.where(resting, slopen, rn / length)
+    excess = (share - slopen) / square
+    steep = excess < 0
     y = w1 * w1o + w2 * w2o + w3 * w3o
-    bend = (slopen - share) * y / square
+    bend = m.where(steep, -excess, 0) * y
+    rest = m.where(steep, 0, excess)
+    c1 = (w2o * w3 - w3o * w2) * rest
+    c2 = (w3o * w1 - w1o * w3) * rest
+    c3 = (w1o * w2 - w2o * w1) * rest
+    both = m.where(steep, share, slopen)
     made1 = w1 * share
     made2 = w2 * share
     made3 = w3 * share
     xmade = made1 * made1 + made2 * made2 + made3 * made3
     inside, = c.inside(m, xmade)
     return (
-        made1 * inside, made2 * inside, made3 * inside, w1o * share + w1 * bend, w2o * share + w2 * bend,
-        w3o * share + w3 * bend,
+        made1 * inside, made2 * inside, made3 * inside, w1o * both + (w2 * c3 - w3 * c2) + w1 * bend,
+        w2o * both + (w3 * c1 - w1 * c3) + w2 * bend, w3o * both + (w1 * c2 - w2 * c1) + w3 * bend,
     )
 
 
@@ -1191,25 +1211,25 @@ def exponential_scalars(m: Any, delta: Components) -> Result:
 
 
 def followed(m: Any, c: Any, v: Components, e: Components, size: Any, turn: Any) -> Result:
-    """Vector ``factor · vec e`` of a quaternion e on the branch nearest v, factor · e0, and the number of its angle.
+    """Vector of a quaternion e on the branch nearest v, f_i there, the number of its angle, and 1 at a whole turn.
     The quaternion has a size; turn is the scalar part of the step.
     """
     v1, v2, v3 = v
     e0, e1, e2, e3 = e
     along = v1 * e1 + v2 * e2 + v3 * e3
     x = v1 * v1 + v2 * v2 + v3 * v3
-    factor, known = c.followed(m, x, along, e0, e1, e2, e3, size, turn)
-    made1 = e1 * factor
-    made2 = e2 * factor
-    made3 = e3 * factor
+    of_e, of_v, fe, known, lost = c.followed(m, x, along, e0, e1, e2, e3, size, turn)
+    made1 = e1 * of_e + v1 * of_v
+    made2 = e2 * of_e + v2 * of_v
+    made3 = e3 * of_e + v3 * of_v
     xmade = made1 * made1 + made2 * made2 + made3 * made3
     inside, = c.inside(m, xmade)
-    return made1 * inside, made2 * inside, made3 * inside, factor * e0, known
+    return made1 * inside, made2 * inside, made3 * inside, fe, known, lost
 
 
 def retract(m: Any, c: Any, v: Components, delta: Components) -> Result:
     """Vector of exp(δ) R(v), on the branch nearest v."""
-    v1, v2, v3, _, _, _ = v
+    v1, v2, v3, v1o, v2o, v3o = v
     d1, d2, d3, d1o, d2o, d3o = delta
     s, w, f, g, h, _, _, _ = exponential_scalars(m, (d1, d2, d3))
     e0_1, e1_1, e2_1, e3_1, size_1, _, _, rho1_1, rho2_1, rho3_1 = displacement(m, c, v)
@@ -1223,16 +1243,29 @@ def retract(m: Any, c: Any, v: Components, delta: Components) -> Result:
         + (gvd3 * d1o - gvd1 * d3o) + d2 * alongd, d3o * f + (gvd1 * d2o - gvd2 * d1o) + d3 * alongd), (e0_1, e1_1,
         e2_1, e3_1), (rho1_1, rho2_1, rho3_1))
     )
-    w1, w2, w3, fe, known = followed(m, c, (v1, v2, v3), (e0, e1, e2, e3), size_1, s)
-    x = w1 * w1 + w2 * w2 + w3 * w3
-    hi, = c.inverse_at(m, x, fe, known)
+    w1, w2, w3, fe, known, lost = followed(m, c, (v1, v2, v3), (e0, e1, e2, e3), size_1, s)
     shift1 = rho1 / 2
     shift2 = rho2 / 2
     shift3 = rho3 / 2
-    along = hi * (w1 * shift1 + w2 * shift2 + w3 * shift3)
+    vr1 = w2 * shift3 - w3 * shift2
+    vr2 = w3 * shift1 - w1 * shift3
+    vr3 = w1 * shift2 - w2 * shift1
+    scale = m.abs(v1o) + m.abs(v2o) + m.abs(v3o) + m.abs(d1o) + m.abs(d2o) + m.abs(d3o)
+    adrift = scale < m.beside(scale, lost * (m.abs(vr1) + m.abs(vr2) + m.abs(vr3)) / 1024)
+    fen = fe / m.where(adrift, 0, 1)
+    x = w1 * w1 + w2 * w2 + w3 * w3
+    hi, ai = c.inverse_at(m, x, fen, known)
+    near = 2 * ai < m.abs(fen)
+    hn = m.where(near, hi, 0)
+    along = (hi - hn) * (w1 * shift1 + w2 * shift2 + w3 * shift3)
+    hvr1 = vr1 * hn
+    hvr2 = vr2 * hn
+    hvr3 = vr3 * hn
+    an = m.where(near, ai, fen)
     return (
-        w1, w2, w3, shift1 * fe - (w2 * shift3 - w3 * shift2) + w1 * along,
-        shift2 * fe - (w3 * shift1 - w1 * shift3) + w2 * along, shift3 * fe - (w1 * shift2 - w2 * shift1) + w3 * along,
+        w1, w2, w3, shift1 * an - vr1 + (w2 * hvr3 - w3 * hvr2) + w1 * along,
+        shift2 * an - vr2 + (w3 * hvr1 - w1 * hvr3) + w2 * along,
+        shift3 * an - vr3 + (w1 * hvr2 - w2 * hvr1) + w3 * along,
     )
 
 
@@ -1246,7 +1279,7 @@ def body_retract(m: Any, c: Any, v: Components, delta: Components) -> Result:
 
 def retract_jacobians(m: Any, c: Any, v: Components, delta: Components) -> Result:
     """Derivatives T(w)⁻¹ exp(δ) T(v) and T(w)⁻¹ dexp(δ) of w = retract(v, δ), by v and by δ."""
-    v1, v2, v3, _, _, _ = v
+    v1, v2, v3, v1o, v2o, v3o = v
     d1, d2, d3, d1o, d2o, d3o = delta
     s, w, f, g, h, fy, gy, hy = exponential_scalars(m, (d1, d2, d3))
     e0_1, e1_1, e2_1, e3_1, size_1, _, _, rho1_1, rho2_1, rho3_1 = displacement(m, c, v)
@@ -1260,16 +1293,29 @@ def retract_jacobians(m: Any, c: Any, v: Components, delta: Components) -> Resul
         + (gvd3 * d1o - gvd1 * d3o) + d2 * alongd, d3o * f + (gvd1 * d2o - gvd2 * d1o) + d3 * alongd), (e0_1, e1_1,
         e2_1, e3_1), (rho1_1, rho2_1, rho3_1))
     )
-    w1, w2, w3, fe, known = followed(m, c, (v1, v2, v3), (e0, e1, e2, e3), size_1, s)
-    x = w1 * w1 + w2 * w2 + w3 * w3
-    fi, hi, fiy, hiy = c.tangent_inv_at(m, x, fe, known)
+    w1, w2, w3, fe, known, lost = followed(m, c, (v1, v2, v3), (e0, e1, e2, e3), size_1, s)
     shift1 = rho1 / 2
     shift2 = rho2 / 2
     shift3 = rho3 / 2
-    along = hi * (w1 * shift1 + w2 * shift2 + w3 * shift3)
+    vr1 = w2 * shift3 - w3 * shift2
+    vr2 = w3 * shift1 - w1 * shift3
+    vr3 = w1 * shift2 - w2 * shift1
+    scale = m.abs(v1o) + m.abs(v2o) + m.abs(v3o) + m.abs(d1o) + m.abs(d2o) + m.abs(d3o)
+    adrift = scale < m.beside(scale, lost * (m.abs(vr1) + m.abs(vr2) + m.abs(vr3)) / 1024)
+    fen = fe / m.where(adrift, 0, 1)
+    x = w1 * w1 + w2 * w2 + w3 * w3
+    fi, hi, ai, fiy, hiy = c.tangent_inv_at(m, x, fen, known)
+    near = 2 * ai < m.abs(fi)
+    hn = m.where(near, hi, 0)
+    along = (hi - hn) * (w1 * shift1 + w2 * shift2 + w3 * shift3)
+    hvr1 = vr1 * hn
+    hvr2 = vr2 * hn
+    hvr3 = vr3 * hn
+    an = m.where(near, ai, fi)
     back = (
-        tangent_inverse_at(fi, hi, fiy, hiy, (w1, w2, w3, shift1 * fi - (w2 * shift3 - w3 * shift2) + w1 * along, shift2
-        * fi - (w3 * shift1 - w1 * shift3) + w2 * along, shift3 * fi - (w1 * shift2 - w2 * shift1) + w3 * along))
+        tangent_inverse_at(fi, hi, fiy, hiy, (w1, w2, w3, shift1 * an - vr1 + (w2 * hvr3 - w3 * hvr2) + w1 * along,
+        shift2 * an - vr2 + (w3 * hvr1 - w1 * hvr3) + w2 * along, shift3 * an - vr3 + (w1 * hvr2 - w2 * hvr1) + w3
+        * along))
     )
     R = tensor_at(f, g, h, delta)
     T = tangent(m, c, v)
@@ -1391,7 +1437,7 @@ def body_local(m: Any, c: Any, v2: Components, v1: Components) -> Result:
 
 def interpolate(m: Any, c: Any, v1: Components, v2: Components, time: Components) -> Result:
     """Vector v of exp(t δ) R(v1) with exp(δ) = R(v2) R(v1)⁻¹, on the branch followed from v1."""
-    a1, a2, a3, _, _, _ = v1
+    a1, a2, a3, a1o, a2o, a3o = v1
     t, = time
     d1, d2, d3, d1o, d2o, d3o = local(m, c, v2, v1)
     td1 = t * d1
@@ -1447,13 +1493,20 @@ def interpolate(m: Any, c: Any, v1: Components, v2: Components, time: Components
     halft = m.atan2(sign1 * sinet, sign1 * e0)
     halft_by_2 = 2 * halft
     turns = alpha + m.where(apart, -2 * half1, gone - halft_by_2)
-    still = sinet == 0
-    angle = m.where(still, sinet, m.where(m.abs(turns) < 1, 0, turns) + halft_by_2)
-    rn, slopen, knownn = c.coefficient(m, angle)
-    z0s = m.where(still, e0, 1)
-    nosine = m.where(still, 1 + sinet, sinet)
-    factor = m.where(still, 2 * slopen / z0s, rn / nosine)
-    clear = apart | (m.abs(e0) < m.abs(sinet))
+    first = m.abs(turns) < 1
+    principal = apart | first
+    still = (sinet == 0) & principal
+    angle = m.where(still, sinet, m.where(first, 0, turns) + halft_by_2)
+    rn, slopen, knownn = c.coefficient_of(m, angle, sinet, e0)
+    cosine = m.abs(e0)
+    length = m.abs(sinet)
+    beside_turn = m.abs(m.where(m.abs(rn) < 1, sinet, rn * sinet))
+    clear_of_turn = cosine < m.beside(cosine, beside_turn / 16)
+    lost = m.where(principal, 0, m.where(clear_of_turn, 0, 1))
+    sharp = lost == 0
+    below = m.where(still, e0, m.where(sharp, sinet, cosine / 16777216))
+    factor = m.where(still, 2 * slopen, rn) / below
+    clear = apart | (cosine < length)
     made1 = m.where(clear, e1 * factor, axis1 * rn)
     made2 = m.where(clear, e2 * factor, axis2 * rn)
     made3 = m.where(clear, e3 * factor, axis3 * rn)
@@ -1462,17 +1515,29 @@ def interpolate(m: Any, c: Any, v1: Components, v2: Components, time: Components
     v_1 = made1 * inside
     v_2 = made2 * inside
     v_3 = made3 * inside
-    fe = factor * e0
-    xw = v_1 * v_1 + v_2 * v_2 + v_3 * v_3
-    hi, = c.inverse_at(m, xw, fe, knownn)
     shift1 = rho1 / 2
     shift2 = rho2 / 2
     shift3 = rho3 / 2
-    along = hi * (v_1 * shift1 + v_2 * shift2 + v_3 * shift3)
+    fe = factor * e0
+    vr1 = v_2 * shift3 - v_3 * shift2
+    vr2 = v_3 * shift1 - v_1 * shift3
+    vr3 = v_1 * shift2 - v_2 * shift1
+    scale = m.abs(a1o) + m.abs(a2o) + m.abs(a3o) + m.abs(td1o) + m.abs(td2o) + m.abs(td3o)
+    adrift = scale < m.beside(scale, lost * (m.abs(vr1) + m.abs(vr2) + m.abs(vr3)) / 1024)
+    fen = fe / m.where(adrift, 0, 1)
+    xw = v_1 * v_1 + v_2 * v_2 + v_3 * v_3
+    hi, ai = c.inverse_at(m, xw, fen, knownn)
+    near = 2 * ai < m.abs(fen)
+    hn = m.where(near, hi, 0)
+    along = (hi - hn) * (v_1 * shift1 + v_2 * shift2 + v_3 * shift3)
+    hvr1 = vr1 * hn
+    hvr2 = vr2 * hn
+    hvr3 = vr3 * hn
+    an = m.where(near, ai, fen)
     return (
-        v_1, v_2, v_3, shift1 * fe - (v_2 * shift3 - v_3 * shift2) + v_1 * along,
-        shift2 * fe - (v_3 * shift1 - v_1 * shift3) + v_2 * along,
-        shift3 * fe - (v_1 * shift2 - v_2 * shift1) + v_3 * along,
+        v_1, v_2, v_3, shift1 * an - vr1 + (v_2 * hvr3 - v_3 * hvr2) + v_1 * along,
+        shift2 * an - vr2 + (v_3 * hvr1 - v_1 * hvr3) + v_2 * along,
+        shift3 * an - vr3 + (v_1 * hvr2 - v_2 * hvr1) + v_3 * along,
     )
 
 

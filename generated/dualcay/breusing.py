@@ -36,7 +36,7 @@ from ._kernel import Result
 ORDER = 2
 
 
-# steps that 10 programs share
+# steps that 11 programs share
 def _c_to_over(m: Any, x: Any) -> Result:
     below = x + m.sqrt(x * x + 4)
     c = (below - below + 2) / below
@@ -142,26 +142,29 @@ def _inverse_scalars(m: Any, x: Any, fe: Any) -> Result:
     return fe, hi
 
 
-# hi of T^-1 at a known angle
+# hi of T^-1 at a known angle, and for ai fi + x hi = 2 phi'
 def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
-    below = x + m.sqrt(x * x + 4)
-    c = (below - below + 2) / below
-    rootc = m.sqrt(c)
+    _, size, rootc, _, over = _c_to_over(m, x)
+    w = 2 * rootc / size
+    rho = 4 * (w * over)
+    ai = 2 / rho
     hi = 3 / (4 * rootc)
-    return hi,
+    return hi, ai
 
 
-# fi, hi of T^-1 at a known angle, with slopes fiy = 2 dfi/dx, hiy
+# fi, hi, ai of T^-1 at a known angle, with slopes fiy = 2 dfi/dx, hiy
 def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     c, size, rootc, _, over = _c_to_over(m, x)
-    hi = 3 / (4 * rootc)
     w = 2 * rootc / size
+    rho = 4 * (w * over)
+    ai = 2 / rho
+    hi = 3 / (4 * rootc)
     ratio = c / w
     thickness = 2 + over
     fiy = -(ratio * thickness)
     decline = 2 * (c * over)
     hiy = hi * decline / 2
-    return fe, hi, fiy, hiy
+    return fe, hi, ai, fiy, hiy
 
 
 # fi, hi of T^-1 with slopes fiy = 2 dfi/dx, hiy
@@ -323,7 +326,30 @@ def _coefficient(m: Any, alpha: Any) -> Result:
     return r, slope, alpha
 
 
-# factor of vec e on the branch nearest v, and the number by which alpha is known
+# r = phi(alpha), phi', the number by which alpha is known, by sine and cosine of alpha/2
+def _coefficient_of(m: Any, alpha: Any, sine: Any, cosine: Any) -> Result:
+    sideof = m.where(alpha < 0, -1, 1)
+    size = m.abs(alpha)
+    nextto = m.abs(size - 6) < 1
+    divisor = m.where(nextto, cosine, 1)
+    rest = m.where(nextto, 2 * sideof * m.atan2(-sine / divisor, 1), size)
+    t = m.tan(rest / 8)
+    tt = t * t
+    below = 1 + tt
+    srest = 2 * t / below
+    crest = (1 - tt) / below
+    further = m.where(nextto, srest, crest)
+    side = m.where(further < 0, -1, 1)
+    sin = side * (sideof * m.where(nextto, crest, srest))
+    cos = side * further
+    square = cos * cos
+    iroot = 1 / m.sqrt(cos)
+    r = sin * iroot
+    slope = (1 + square) / cos * iroot / 2 / 4
+    return r, slope, alpha
+
+
+# factors of vec e and v in the vector on the branch nearest v, and fi, by e, for T^-1
 def _followed(m: Any, x: Any, along: Any, e0: Any, e1: Any, e2: Any, e3: Any, size: Any, turn: Any) -> Result:
     side = m.where(m.beside(1, turn / 16) < 1, -1, 1)
     cosine = side * e0
@@ -334,7 +360,8 @@ def _followed(m: Any, x: Any, along: Any, e0: Any, e1: Any, e2: Any, e3: Any, si
     sine = m.sqrt(m.where(beyondhalf, ss, 1 + ss)) / size
     known = m.where(beyondhalf, sine / (2 * half), half)
     factor = side / (size * (2 * known) * m.sqrt(known))
-    return factor, known
+    fe = factor * e0
+    return factor, 0, fe, known, 0
 
 
 CHART = Chart(
@@ -355,10 +382,10 @@ CHART = Chart(
     functions=by_name(
         _quaternion_scalars, _pose_scalars, _tangent_scalars, _tangent_dot_scalars, _rate_scalars, _inverse_scalars,
         _inverse_at, _tangent_inv_at, _tangent_inv_scalars, _tangent_inv_dot_scalars, _ray, _gain, _inside, _direction,
-        _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _followed,
+        _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _coefficient_of, _followed,
     ),
     kernels=SHARED,
-    programs="7fb2d75b5b381d75",
+    programs="0a9e4e0da42ca03d",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -119,16 +119,20 @@ def _inverse_scalars(m: Any, x: Any, fe: Any) -> Result:
     return fi, 1
 
 
-# hi of T^-1 at a known angle
+# hi of T^-1 at a known angle, and for ai fi + x hi = 2 phi'
 def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
-    return 1,
+    x1 = 1 + x
+    ai = x1 / 2
+    return 1, ai
 
 
-# fi, hi of T^-1 at a known angle, with slopes fiy = 2 dfi/dx, hiy
+# fi, hi, ai of T^-1 at a known angle, with slopes fiy = 2 dfi/dx, hiy
 def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     p = 1 - x
     fi = p / 2
-    return fi, 1, -1, 0
+    x1 = 1 + x
+    ai = x1 / 2
+    return fi, 1, ai, -1, 0
 
 
 # fi, hi of T^-1 with slopes fiy = 2 dfi/dx, hiy; CP23 (89), (105)
@@ -236,7 +240,20 @@ def _coefficient(m: Any, alpha: Any) -> Result:
     return r, slope, alpha
 
 
-# factor of vec e on the branch nearest v, and the number by which alpha is known
+# r = phi(alpha), phi', the number by which alpha is known, by sine and cosine of alpha/2
+def _coefficient_of(m: Any, alpha: Any, sine: Any, cosine: Any) -> Result:
+    sideof = m.where(alpha < 0, -1, 1)
+    size = m.abs(alpha)
+    nextto = m.abs(size - 6) < 1
+    divisor = m.where(nextto, cosine, 1)
+    rest = m.where(nextto, 2 * sideof * m.atan2(-sine / divisor, 1), size)
+    t = m.tan(rest / 4)
+    r = sideof * m.where(nextto, 1, t) / m.where(nextto, t, 1)
+    slope = (1 + r * r) / 4
+    return r, slope, alpha
+
+
+# factors of vec e and v in the vector on the branch nearest v, and fi, by e, for T^-1
 def _followed(m: Any, x: Any, along: Any, e0: Any, e1: Any, e2: Any, e3: Any, size: Any, turn: Any) -> Result:
     side = m.where(m.beside(1, turn / 16) < 1, -1, 1)
     cosine = side * e0
@@ -244,7 +261,8 @@ def _followed(m: Any, x: Any, along: Any, e0: Any, e1: Any, e2: Any, e3: Any, si
     ss = e1 * e1 + e2 * e2 + e3 * e3
     more = m.where(beyondhalf, size - cosine, size + cosine) + (ss - ss)
     factor = m.where(beyondhalf, side * more, side) / m.where(beyondhalf, ss, more)
-    return factor, 0
+    fe = factor * e0
+    return factor, 0, fe, 0, 0
 
 
 CHART = Chart(
@@ -265,10 +283,10 @@ CHART = Chart(
     functions=by_name(
         _quaternion_scalars, _pose_scalars, _tangent_scalars, _tangent_dot_scalars, _rate_scalars, _inverse_scalars,
         _inverse_at, _tangent_inv_at, _tangent_inv_scalars, _tangent_inv_dot_scalars, _ray, _gain, _inside, _direction,
-        _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _followed,
+        _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _coefficient_of, _followed,
     ),
     kernels=SHARED,
-    programs="c04a32a2aa8aade9",
+    programs="772feeb5443f3253",
 )
 
 KERNELS = PoseKernels(CHART)

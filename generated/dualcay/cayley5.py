@@ -55,10 +55,7 @@ def _p_to_h(m: Any, x: Any) -> Result:
 
 
 # steps that 3 programs share
-def _iq_to_hiy(m: Any, x: Any) -> Result:
-    p = (5 * x - 10) * x + 1
-    q = (x - 10) * x + 5
-    iq = 1 / q
+def _fi_to_hiy(m: Any, p: Any, iq: Any, x: Any) -> Result:
     fi = p * iq
     d = (x - 34) * x + 45
     diq = d * iq
@@ -69,7 +66,7 @@ def _iq_to_hiy(m: Any, x: Any) -> Result:
     dd = x_by_2 - 34
     dq = x_by_2 - 10
     hiy = (2 * dd - 2 * dq * diq) * iq / 5
-    return iq, fi, diq, hi, c, fiy, dq, hiy
+    return fi, diq, hi, c, fiy, dq, hiy
 
 
 # unit quaternion q = s + w v; slopes sy = 2 ds/dx, wy = 2 dw/dx
@@ -160,31 +157,49 @@ def _inverse_scalars(m: Any, x: Any, fe: Any) -> Result:
     return fi, hi
 
 
-# hi of T^-1 at a known angle
+# hi of T^-1 at a known angle, and for ai fi + x hi = 2 phi'
 def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
-    d = (x - 34) * x + 45
+    x1 = 1 + x
+    ai = x1 / 5
+    near = 2 * ai < m.abs(fe)
+    p = (5 * x - 10) * x + 1
     q = (x - 10) * x + 5
-    iq = 1 / q
+    pq = m.where(near, p, q)
+    iq = m.where(near, fe, 1) / pq
+    d = (x - 34) * x + 45
     diq = d * iq
     hi = diq / 5
-    return hi,
+    return hi, ai
 
 
-# fi, hi of T^-1 at a known angle, with slopes fiy = 2 dfi/dx, hiy
+# fi, hi, ai of T^-1 at a known angle, with slopes fiy = 2 dfi/dx, hiy
 def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
-    _, fi, _, hi, _, fiy, _, hiy = _iq_to_hiy(m, x)
-    return fi, hi, fiy, hiy
+    x1 = 1 + x
+    ai = x1 / 5
+    near = 2 * ai < m.abs(fe)
+    p = (5 * x - 10) * x + 1
+    q = (x - 10) * x + 5
+    pq = m.where(near, p, q)
+    iq = m.where(near, fe, 1) / pq
+    fi, _, hi, _, fiy, _, hiy = _fi_to_hiy(m, p, iq, x)
+    return fi, hi, ai, fiy, hiy
 
 
 # fi, hi of T^-1 with slopes fiy = 2 dfi/dx, hiy; CP23 (89), (125)
 def _tangent_inv_scalars(m: Any, x: Any) -> Result:
-    _, fi, _, hi, _, fiy, _, hiy = _iq_to_hiy(m, x)
+    p = (5 * x - 10) * x + 1
+    q = (x - 10) * x + 5
+    iq = 1 / q
+    fi, _, hi, _, fiy, _, hiy = _fi_to_hiy(m, p, iq, x)
     return fi, hi, fiy, hiy
 
 
 # fi, hi of T^-1 with slopes fiy, hiy and second slopes fiyy, hiyy
 def _tangent_inv_dot_scalars(m: Any, x: Any) -> Result:
-    iq, fi, diq, hi, c, fiy, dq, hiy = _iq_to_hiy(m, x)
+    p = (5 * x - 10) * x + 1
+    q = (x - 10) * x + 5
+    iq = 1 / q
+    fi, diq, hi, c, fiy, dq, hiy = _fi_to_hiy(m, p, iq, x)
     dqiq = dq * iq
     dc = 160 * x - 96
     fiyy = (4 * c * dqiq - 2 * dc) * iq * iq
@@ -293,31 +308,60 @@ def _coefficient(m: Any, alpha: Any) -> Result:
     return r, slope, alpha
 
 
-# factor of vec e on the branch nearest v, and the number by which alpha is known
+# r = phi(alpha), phi', the number by which alpha is known, by sine and cosine of alpha/2
+def _coefficient_of(m: Any, alpha: Any, sine: Any, cosine: Any) -> Result:
+    sideof = m.where(alpha < 0, -1, 1)
+    size = m.abs(alpha)
+    nextto = m.abs(size - 16) < 1
+    divisor = m.where(nextto, sine, 1)
+    rest = m.where(nextto, 2 * sideof * m.atan2(cosine / divisor, 1), size)
+    t = m.tan(rest / 10)
+    r = sideof * m.where(nextto, 1, t) / m.where(nextto, t, 1)
+    slope = (1 + r * r) / 10
+    return r, slope, alpha
+
+
+# factors of vec e and v in the vector on the branch nearest v, and fi, by e, for T^-1
 def _followed(m: Any, x: Any, along: Any, e0: Any, e1: Any, e2: Any, e3: Any, size: Any, turn: Any) -> Result:
     ss = e1 * e1 + e2 * e2 + e3 * e3
     still = ss == 0
     resting = x == 0
     length = m.sqrt(m.where(still, 1 + ss, ss)) + (ss - ss)
     rv = m.sqrt(m.where(resting, 1 + x, x))
-    projected = m.where(resting, 0, 10 * m.atan2(rv, 1) / rv) * along / length
-    sine = m.where(still, ss, length)
+    ownv = m.where(resting, 0, 10 * m.atan2(rv, 1))
+    part = along / rv
     falling = e0 < 0
     cosine = m.where(falling, -e0, e0)
+    noise = m.sqrt(m.abs(ss - part * part)) / 1024 + ss / (64 * m.where(length < cosine, cosine, length))
+    apart = cosine < m.beside(cosine, noise)
+    projected = m.where(apart, ownv * part / length, ownv)
+    sine = m.where(still, ss, length)
     folded = m.where(falling, -2, 2) * m.atan2(sine, cosine)
     turns = projected - folded + 2 * m.atan2(m.tan((folded - projected) / 2), 1)
-    alphan = folded + m.where(m.abs(turns) < 1, 0, turns)
+    principal = m.abs(turns) < 1
+    turned = apart | principal
+    sinen = m.where(turned, sine, part)
+    rest = m.where(turned, folded, 2 * part / m.where(turned, 1, e0))
+    alphan = rest + m.where(principal, 0, turns)
     sideofn = m.where(alphan < 0, -1, 1)
     sizen = m.abs(alphan)
     nextton = m.abs(sizen - 16) < 1
-    divisorn = m.where(nextton, sine, 1)
+    divisorn = m.where(nextton, sinen, 1)
     restn = m.where(nextton, 2 * sideofn * m.atan2(e0 / divisorn, 1), sizen)
     tn = m.tan(restn / 10)
     rn = sideofn * m.where(nextton, 1, tn) / m.where(nextton, tn, 1)
     slopen = (1 + rn * rn) / 10
-    z0s = m.where(still, e0, length)
-    factor = m.where(still, 2 * slopen / z0s, rn / length)
-    return factor, alphan
+    beside_turn = m.abs(m.where(m.abs(rn) < 1, part, rn * part))
+    clear_of_turn = cosine < m.beside(cosine, beside_turn / 16)
+    lost = m.where(turned, 0, m.where(clear_of_turn, 0, 1))
+    sharp = lost == 0
+    below = m.where(turned, m.where(still, e0, length), m.where(sharp, part, cosine / 16777216))
+    above = m.where(turned & still, 2 * slopen, rn)
+    factor = above / below
+    ofe = m.where(turned, factor, 0)
+    ofv = m.where(turned, 0, above / rv)
+    fe = factor * e0
+    return ofe, ofv, fe, alphan, lost
 
 
 CHART = Chart(
@@ -344,10 +388,10 @@ CHART = Chart(
     functions=by_name(
         _quaternion_scalars, _pose_scalars, _tangent_scalars, _tangent_dot_scalars, _rate_scalars, _inverse_scalars,
         _inverse_at, _tangent_inv_at, _tangent_inv_scalars, _tangent_inv_dot_scalars, _ray, _gain, _inside, _direction,
-        _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _followed,
+        _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _coefficient_of, _followed,
     ),
     kernels=SHARED,
-    programs="4d6e538affc147ea",
+    programs="2f6ccec6f0721154",
 )
 
 KERNELS = PoseKernels(CHART)

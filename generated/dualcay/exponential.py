@@ -90,8 +90,18 @@ def _s_and_w(m: Any, alpha: Any, nearby: Any, C0: Any, C1: Any) -> Result:
     return s, w
 
 
+# steps that 5 programs share
+def _g_to_c4(m: Any, lost: Any, sine: Any, versine: Any, CC1: Any, xx: Any, nearby: Any, C3: Any, C2: Any, z: Any, C01: Any, C5: Any, C1: Any) -> Result:
+    g = m.where(nearby, CC1 / 2, (versine + lost * sine) / xx)
+    CC3 = C3 * C3
+    C4 = (4 * C3 - C2 - 2 * (z * CC3)) / (2 * C01)
+    c5 = (C5 + C4 + C2 * C3) / 16
+    c4 = C3 * (1 + C1) / 8
+    return g, CC3, C4, c5, c4
+
+
 # steps that 3 programs share
-def _f_to_h(m: Any, C0: Any, C1: Any, alpha: Any, xx: Any, x: Any, part: Any, v11: Any, v22: Any, v33: Any, nearby: Any, CC1: Any, C3: Any) -> Result:
+def _sine_to_h(m: Any, C0: Any, C1: Any, alpha: Any, xx: Any, x: Any, part: Any, v11: Any, v22: Any, v33: Any, nearby: Any, CC1: Any, C3: Any) -> Result:
     thalf = m.tan(alpha / 2)
     tthalf = thalf * thalf
     belowhalf = 1 + tthalf
@@ -106,22 +116,10 @@ def _f_to_h(m: Any, C0: Any, C1: Any, alpha: Any, xx: Any, x: Any, part: Any, v1
     )
     lost = m.where(alpha < 8, left, 0) / (2 * alpha)
     f = m.where(nearby, C0 * C1, (sine + lost * (1 - versine)) / alpha)
-    g = m.where(nearby, CC1 / 2, (versine + lost * sine) / xx)
     C01 = 1 + C0
     C2 = CC1 / C01
     h = m.where(nearby, (C3 + C1 * C2) / 4, (1 - f) / xx)
-    return f, g, C01, C2, h
-
-
-# steps that 5 programs share
-def _gy_to_hy(m: Any, f: Any, h: Any, g: Any, C3: Any, C2: Any, z: Any, C01: Any, C5: Any, C1: Any, xx: Any, nearby: Any) -> Result:
-    gy = f * h - g * g
-    CC3 = C3 * C3
-    C4 = (4 * C3 - C2 - 2 * (z * CC3)) / (2 * C01)
-    c5 = (C5 + C4 + C2 * C3) / 16
-    c4 = C3 * (1 + C1) / 8
-    hy = m.where(nearby, 3 * c5 - c4, (g - 3 * h) / xx)
-    return gy, CC3, C4, c5, hy
+    return sine, versine, lost, f, C01, C2, h
 
 
 # unit quaternion q = s + w v; slopes sy = 2 ds/dx, wy = 2 dw/dx
@@ -140,7 +138,8 @@ def _pose_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     part = v11 + v22
     x = part + v33
     nearby, _, _, _, C3, C1, CC1, C0, xx, alpha = _nearby_to_alpha(m, x)
-    f, g, _, _, h = _f_to_h(m, C0, C1, alpha, xx, x, part, v11, v22, v33, nearby, CC1, C3)
+    sine, versine, lost, f, _, _, h = _sine_to_h(m, C0, C1, alpha, xx, x, part, v11, v22, v33, nearby, CC1, C3)
+    g = m.where(nearby, CC1 / 2, (versine + lost * sine) / xx)
     return f, g, h
 
 
@@ -149,9 +148,11 @@ def _tangent_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     part = v11 + v22
     x = part + v33
     nearby, z, _, C5, C3, C1, CC1, C0, xx, alpha = _nearby_to_alpha(m, x)
-    f, g, C01, C2, h = _f_to_h(m, C0, C1, alpha, xx, x, part, v11, v22, v33, nearby, CC1, C3)
+    sine, versine, lost, f, C01, C2, h = _sine_to_h(m, C0, C1, alpha, xx, x, part, v11, v22, v33, nearby, CC1, C3)
+    g, _, _, c5, c4 = _g_to_c4(m, lost, sine, versine, CC1, xx, nearby, C3, C2, z, C01, C5, C1)
     fy = h - g
-    gy, _, _, _, hy = _gy_to_hy(m, f, h, g, C3, C2, z, C01, C5, C1, xx, nearby)
+    gy = f * h - g * g
+    hy = m.where(nearby, 3 * c5 - c4, (g - 3 * h) / xx)
     return f, g, h, fy, gy, hy
 
 
@@ -160,9 +161,11 @@ def _tangent_dot_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     part = v11 + v22
     x = part + v33
     nearby, z, C7, C5, C3, C1, CC1, C0, xx, alpha = _nearby_to_alpha(m, x)
-    f, g, C01, C2, h = _f_to_h(m, C0, C1, alpha, xx, x, part, v11, v22, v33, nearby, CC1, C3)
+    sine, versine, lost, f, C01, C2, h = _sine_to_h(m, C0, C1, alpha, xx, x, part, v11, v22, v33, nearby, CC1, C3)
+    g, CC3, C4, c5, c4 = _g_to_c4(m, lost, sine, versine, CC1, xx, nearby, C3, C2, z, C01, C5, C1)
     fy = h - g
-    gy, CC3, C4, c5, hy = _gy_to_hy(m, f, h, g, C3, C2, z, C01, C5, C1, xx, nearby)
+    gy = f * h - g * g
+    hy = m.where(nearby, 3 * c5 - c4, (g - 3 * h) / xx)
     fyy = hy - gy
     gyy = fy * h + f * hy - 2 * (g * gy)
     C6 = (4 * C5 + 2 * CC3 - C4 - 2 * (C2 * C4)) / 4
@@ -187,25 +190,30 @@ def _inverse_scalars(m: Any, x: Any, fe: Any) -> Result:
     return fe, hi
 
 
-# hi of T^-1 at a known angle
+# hi of T^-1 at a known angle, and for ai fi + x hi = 2 phi'
 def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
+    near = m.abs(fe) > 4
     nearby, _, _, _, C3, C1, CC1, C0, xx, alpha = _nearby_to_alpha(m, x)
     _, _, sine, versine, lost, _, h = _C01_to_h(m, C0, CC1, C1, C3, alpha, xx, nearby)
     g = m.where(nearby, CC1 / 2, (versine + lost * sine) / xx)
-    hi = g - fe * h
-    return hi,
+    gn = m.where(near, 2 / (x + fe * fe), g)
+    hi = gn - fe * h
+    return hi, 2
 
 
-# fi, hi of T^-1 at a known angle, with slopes fiy = 2 dfi/dx, hiy
+# fi, hi, ai of T^-1 at a known angle, with slopes fiy = 2 dfi/dx, hiy
 def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
+    near = m.abs(fe) > 4
     nearby, z, _, C5, C3, C1, CC1, C0, xx, alpha = _nearby_to_alpha(m, x)
     C01, C2, sine, versine, lost, f, h = _C01_to_h(m, C0, CC1, C1, C3, alpha, xx, nearby)
-    g = m.where(nearby, CC1 / 2, (versine + lost * sine) / xx)
-    hi = g - fe * h
-    fiy = -(h / g)
-    gy, _, _, _, hy = _gy_to_hy(m, f, h, g, C3, C2, z, C01, C5, C1, xx, nearby)
+    g, _, _, c5, c4 = _g_to_c4(m, lost, sine, versine, CC1, xx, nearby, C3, C2, z, C01, C5, C1)
+    gn = m.where(near, 2 / (x + fe * fe), g)
+    hi = gn - fe * h
+    fiy = -(h / gn)
+    gy = f * h - gn * gn
+    hy = m.where(nearby, 3 * c5 - c4, (gn - 3 * h) / xx)
     hiy = gy - fiy * h - fe * hy
-    return fe, hi, fiy, hiy
+    return fe, hi, 2, fiy, hiy
 
 
 # fi, hi of T^-1 with slopes fiy = 2 dfi/dx, hiy
@@ -214,10 +222,11 @@ def _tangent_inv_scalars(m: Any, x: Any) -> Result:
     s, w = _s_and_w(m, alpha, nearby, C0, C1)
     fi = s / w
     C01, C2, sine, versine, lost, f, h = _C01_to_h(m, C0, CC1, C1, C3, alpha, xx, nearby)
-    g = m.where(nearby, CC1 / 2, (versine + lost * sine) / xx)
+    g, _, _, c5, c4 = _g_to_c4(m, lost, sine, versine, CC1, xx, nearby, C3, C2, z, C01, C5, C1)
     hi = g - fi * h
     fiy = -(h / g)
-    gy, _, _, _, hy = _gy_to_hy(m, f, h, g, C3, C2, z, C01, C5, C1, xx, nearby)
+    gy = f * h - g * g
+    hy = m.where(nearby, 3 * c5 - c4, (g - 3 * h) / xx)
     hiy = gy - fiy * h - fi * hy
     return fi, hi, fiy, hiy
 
@@ -228,10 +237,11 @@ def _tangent_inv_dot_scalars(m: Any, x: Any) -> Result:
     s, w = _s_and_w(m, alpha, nearby, C0, C1)
     fi = s / w
     C01, C2, sine, versine, lost, f, h = _C01_to_h(m, C0, CC1, C1, C3, alpha, xx, nearby)
-    g = m.where(nearby, CC1 / 2, (versine + lost * sine) / xx)
+    g, CC3, C4, c5, c4 = _g_to_c4(m, lost, sine, versine, CC1, xx, nearby, C3, C2, z, C01, C5, C1)
     hi = g - fi * h
     fiy = -(h / g)
-    gy, CC3, C4, c5, hy = _gy_to_hy(m, f, h, g, C3, C2, z, C01, C5, C1, xx, nearby)
+    gy = f * h - g * g
+    hy = m.where(nearby, 3 * c5 - c4, (g - 3 * h) / xx)
     hiy = gy - fiy * h - fi * hy
     fiyy = -((hy + fiy * gy) / g)
     C6 = (4 * C5 + 2 * CC3 - C4 - 2 * (C2 * C4)) / 4
@@ -351,23 +361,43 @@ def _coefficient(m: Any, alpha: Any) -> Result:
     return alpha, 1, alpha
 
 
-# factor of vec e on the branch nearest v, and the number by which alpha is known
+# r = phi(alpha), phi', the number by which alpha is known, by sine and cosine of alpha/2
+def _coefficient_of(m: Any, alpha: Any, sine: Any, cosine: Any) -> Result:
+    return alpha, 1, alpha
+
+
+# factors of vec e and v in the vector on the branch nearest v, and fi, by e, for T^-1
 def _followed(m: Any, x: Any, along: Any, e0: Any, e1: Any, e2: Any, e3: Any, size: Any, turn: Any) -> Result:
     ss = e1 * e1 + e2 * e2 + e3 * e3
     still = ss == 0
     resting = x == 0
     length = m.sqrt(m.where(still, 1 + ss, ss)) + (ss - ss)
     rv = m.sqrt(m.where(resting, 1 + x, x))
-    projected = m.where(resting, 0, rv / rv) * along / length
-    sine = m.where(still, ss, length)
+    ownv = m.where(resting, 0, rv)
+    part = along / rv
     falling = e0 < 0
     cosine = m.where(falling, -e0, e0)
+    noise = m.sqrt(m.abs(ss - part * part)) / 1024 + ss / (64 * m.where(length < cosine, cosine, length))
+    apart = cosine < m.beside(cosine, noise)
+    projected = m.where(apart, ownv * part / length, ownv)
+    sine = m.where(still, ss, length)
     folded = m.where(falling, -2, 2) * m.atan2(sine, cosine)
     turns = projected - folded + 2 * m.atan2(m.tan((folded - projected) / 2), 1)
-    alphan = folded + m.where(m.abs(turns) < 1, 0, turns)
-    z0s = m.where(still, e0, length)
-    factor = m.where(still, 2 / z0s, alphan / length)
-    return factor, alphan
+    principal = m.abs(turns) < 1
+    turned = apart | principal
+    rest = m.where(turned, folded, 2 * part / m.where(turned, 1, e0))
+    alphan = rest + m.where(principal, 0, turns)
+    beside_turn = m.abs(m.where(m.abs(alphan) < 1, part, alphan * part))
+    clear_of_turn = cosine < m.beside(cosine, beside_turn / 16)
+    lost = m.where(turned, 0, m.where(clear_of_turn, 0, 1))
+    sharp = lost == 0
+    below = m.where(turned, m.where(still, e0, length), m.where(sharp, part, cosine / 16777216))
+    above = m.where(turned & still, 2, alphan)
+    factor = above / below
+    ofe = m.where(turned, factor, 0)
+    ofv = m.where(turned, 0, above / rv)
+    fe = factor * e0
+    return ofe, ofv, fe, alphan, lost
 
 
 CHART = Chart(
@@ -387,10 +417,10 @@ CHART = Chart(
     functions=by_name(
         _quaternion_scalars, _pose_scalars, _tangent_scalars, _tangent_dot_scalars, _rate_scalars, _inverse_scalars,
         _inverse_at, _tangent_inv_at, _tangent_inv_scalars, _tangent_inv_dot_scalars, _ray, _gain, _inside, _direction,
-        _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _followed,
+        _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _coefficient_of, _followed,
     ),
     kernels=SHARED,
-    programs="f5e6de95518c2247",
+    programs="0cad5152f10d55fe",
 )
 
 KERNELS = PoseKernels(CHART)

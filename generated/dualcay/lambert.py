@@ -113,7 +113,7 @@ def _inverse_scalars(m: Any, x: Any, fe: Any) -> Result:
     return fe, hi
 
 
-# hi of T^-1 at a known angle
+# hi of T^-1 at a known angle, and for ai fi + x hi = 2 phi'
 def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     cc = angle * angle
     w = 2 * angle
@@ -122,10 +122,11 @@ def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     h = (8 * cc + 4) / angle
     rho = 4 / angle
     hi = (g - fe * h) / rho
-    return hi,
+    ai = 2 / rho
+    return hi, ai
 
 
-# fi, hi of T^-1 at a known angle, with slopes fiy = 2 dfi/dx, hiy
+# fi, hi, ai of T^-1 at a known angle, with slopes fiy = 2 dfi/dx, hiy
 def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     cc = angle * angle
     w = 2 * angle
@@ -134,6 +135,7 @@ def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     h = (8 * cc + 4) / angle
     rho = 4 / angle
     hi = (g - fe * h) / rho
+    ai = 2 / rho
     fiy = -(h / g)
     s = 2 * cc - 1
     f = 2 * (s * w)
@@ -141,7 +143,7 @@ def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     hy = -16 / angle + h / cc
     rhoy = rho / cc
     hiy = (gy - fiy * h - fe * hy - hi * rhoy) / rho
-    return fe, hi, fiy, hiy
+    return fe, hi, ai, fiy, hiy
 
 
 # fi, hi of T^-1 with slopes fiy = 2 dfi/dx, hiy
@@ -288,7 +290,21 @@ def _coefficient(m: Any, alpha: Any) -> Result:
     return sin, slope, known
 
 
-# factor of vec e on the branch nearest v, and the number by which alpha is known
+# r = phi(alpha), phi', the number by which alpha is known, by sine and cosine of alpha/2
+def _coefficient_of(m: Any, alpha: Any, sine: Any, cosine: Any) -> Result:
+    t = m.tan(alpha / 8)
+    tt = t * t
+    below = 1 + tt
+    further = (1 - tt) / below
+    side = m.where(m.beside(1, further / 64) < 1, -1, 1)
+    sin = side * (2 * t / below)
+    cos = side * further
+    slope = cos / 4
+    known = m.abs(further)
+    return sin, slope, known
+
+
+# factors of vec e and v in the vector on the branch nearest v, and fi, by e, for T^-1
 def _followed(m: Any, x: Any, along: Any, e0: Any, e1: Any, e2: Any, e3: Any, size: Any, turn: Any) -> Result:
     side = m.where(m.beside(1, turn / 16) < 1, -1, 1)
     cosine = side * e0
@@ -299,7 +315,8 @@ def _followed(m: Any, x: Any, along: Any, e0: Any, e1: Any, e2: Any, e3: Any, si
     sine = m.sqrt(m.where(beyondhalf, ss, 1 + ss)) / size
     known = m.where(beyondhalf, sine / (2 * half), half)
     factor = side / (size * (2 * known))
-    return factor, known
+    fe = factor * e0
+    return factor, 0, fe, known, 0
 
 
 CHART = Chart(
@@ -320,10 +337,10 @@ CHART = Chart(
     functions=by_name(
         _quaternion_scalars, _pose_scalars, _tangent_scalars, _tangent_dot_scalars, _rate_scalars, _inverse_scalars,
         _inverse_at, _tangent_inv_at, _tangent_inv_scalars, _tangent_inv_dot_scalars, _ray, _gain, _inside, _direction,
-        _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _followed,
+        _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _coefficient_of, _followed,
     ),
     kernels=SHARED,
-    programs="ff423668239254c5",
+    programs="096c413533fca42f",
     ends=True,
 )
 

@@ -98,24 +98,26 @@ def _inverse_scalars(m: Any, x: Any, fe: Any) -> Result:
     return fe, 0
 
 
-# hi of T^-1 at a known angle
+# hi of T^-1 at a known angle, and for ai fi + x hi = 2 phi'
 def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     h = 2 / angle
     hi = (2 - fe * h) / h
-    return hi,
+    ai = 2 / h
+    return hi, ai
 
 
-# fi, hi of T^-1 at a known angle, with slopes fiy = 2 dfi/dx, hiy
+# fi, hi, ai of T^-1 at a known angle, with slopes fiy = 2 dfi/dx, hiy
 def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     cc = angle * angle
     h = 2 / angle
     hi = (2 - fe * h) / h
+    ai = 2 / h
     fiy = -(h / 2)
     f = 2 * angle
     gy = f * h - 4
     hy = h / cc
     hiy = (gy - fiy * h - fe * hy - hi * hy) / h
-    return fe, hi, fiy, hiy
+    return fe, hi, ai, fiy, hiy
 
 
 # fi, hi of T^-1 with slopes fiy = 2 dfi/dx, hiy
@@ -216,13 +218,28 @@ def _coefficient(m: Any, alpha: Any) -> Result:
     return sin, slope, known
 
 
-# factor of vec e on the branch nearest v, and the number by which alpha is known
+# r = phi(alpha), phi', the number by which alpha is known, by sine and cosine of alpha/2
+def _coefficient_of(m: Any, alpha: Any, sine: Any, cosine: Any) -> Result:
+    t = m.tan(alpha / 4)
+    tt = t * t
+    below = 1 + tt
+    further = (1 - tt) / below
+    side = m.where(m.beside(1, further / 64) < 1, -1, 1)
+    sin = side * (2 * t / below)
+    cos = side * further
+    slope = cos / 2
+    known = m.abs(further)
+    return sin, slope, known
+
+
+# factors of vec e and v in the vector on the branch nearest v, and fi, by e, for T^-1
 def _followed(m: Any, x: Any, along: Any, e0: Any, e1: Any, e2: Any, e3: Any, size: Any, turn: Any) -> Result:
     sign = m.where(m.beside(size, e0 / 16) < size, -1, 1)
     cos = sign * e0
     known = cos / size
     factor = sign / size
-    return factor, known
+    fe = factor * e0
+    return factor, 0, fe, known, 0
 
 
 CHART = Chart(
@@ -239,10 +256,10 @@ CHART = Chart(
     functions=by_name(
         _quaternion_scalars, _pose_scalars, _tangent_scalars, _tangent_dot_scalars, _rate_scalars, _inverse_scalars,
         _inverse_at, _tangent_inv_at, _tangent_inv_scalars, _tangent_inv_dot_scalars, _ray, _gain, _inside, _natural,
-        _unfolded, _reached, _coefficient, _followed,
+        _unfolded, _reached, _coefficient, _coefficient_of, _followed,
     ),
     kernels=SHARED,
-    programs="c26332f9e3c45ef2",
+    programs="5630ba1d7c5f5a47",
     ends=True,
 )
 

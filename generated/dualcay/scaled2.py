@@ -33,7 +33,7 @@ from .cayley2 import CHART as BASE
 
 ORDER = 2
 
-CHART = multiple(BASE, __name__, 4, 1, constant=('inverse_scalars', 'inverse_at', 'tangent_inv_at', 'tangent_inv_scalars', 'tangent_inv_dot_scalars', 'ray', 'inside', 'followed'), programs="13321a1b303807e3")
+CHART = multiple(BASE, __name__, 4, 1, constant=('inverse_scalars', 'inverse_at', 'tangent_inv_at', 'tangent_inv_scalars', 'tangent_inv_dot_scalars', 'ray', 'inside', 'followed'), programs="226d632012b5bc2f")
 
 KERNELS = PoseKernels(CHART)
 # the functions of this module are the methods of KERNELS

@@ -33,7 +33,7 @@ from .cayley3 import CHART as BASE
 
 ORDER = 3
 
-CHART = multiple(BASE, __name__, 6, 1, constant=('inside',), programs="1c01dc2c8064d773")
+CHART = multiple(BASE, __name__, 6, 1, constant=('inside',), programs="b57cd9af1fb4854c")
 
 KERNELS = PoseKernels(CHART)
 # the functions of this module are the methods of KERNELS

@@ -119,7 +119,7 @@ def _inverse_scalars(m: Any, x: Any, fe: Any) -> Result:
     return fe, hi
 
 
-# hi of T^-1 at a known angle
+# hi of T^-1 at a known angle, and for ai fi + x hi = 2 phi'
 def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     cc = angle * angle
     w = angle * (8 * cc - 4)
@@ -128,10 +128,11 @@ def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     h = (((128 * cc - 64) * cc + 16) * cc + 8) / angle
     rho = 8 / angle
     hi = (g - fe * h) / rho
-    return hi,
+    ai = 2 / rho
+    return hi, ai
 
 
-# fi, hi of T^-1 at a known angle, with slopes fiy = 2 dfi/dx, hiy
+# fi, hi, ai of T^-1 at a known angle, with slopes fiy = 2 dfi/dx, hiy
 def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     cc = angle * angle
     cc_by_8 = 8 * cc
@@ -141,6 +142,7 @@ def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     h = (((128 * cc - 64) * cc + 16) * cc + 8) / angle
     rho = 8 / angle
     hi = (g - fe * h) / rho
+    ai = 2 / rho
     fiy = -(h / g)
     s = (cc_by_8 - 8) * cc + 1
     f = 2 * (s * w)
@@ -149,7 +151,7 @@ def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     hy = 2 * dH / angle + h / cc
     rhoy = rho / cc
     hiy = (gy - fiy * h - fe * hy - hi * rhoy) / rho
-    return fe, hi, fiy, hiy
+    return fe, hi, ai, fiy, hiy
 
 
 # fi, hi of T^-1 with slopes fiy = 2 dfi/dx, hiy
@@ -306,7 +308,21 @@ def _coefficient(m: Any, alpha: Any) -> Result:
     return sin, slope, known
 
 
-# factor of vec e on the branch nearest v, and the number by which alpha is known
+# r = phi(alpha), phi', the number by which alpha is known, by sine and cosine of alpha/2
+def _coefficient_of(m: Any, alpha: Any, sine: Any, cosine: Any) -> Result:
+    t = m.tan(alpha / 16)
+    tt = t * t
+    below = 1 + tt
+    further = (1 - tt) / below
+    side = m.where(m.beside(1, further / 64) < 1, -1, 1)
+    sin = side * (2 * t / below)
+    cos = side * further
+    slope = cos / 8
+    known = m.abs(further)
+    return sin, slope, known
+
+
+# factors of vec e and v in the vector on the branch nearest v, and fi, by e, for T^-1
 def _followed(m: Any, x: Any, along: Any, e0: Any, e1: Any, e2: Any, e3: Any, size: Any, turn: Any) -> Result:
     ss = e1 * e1 + e2 * e2 + e3 * e3
     still = ss == 0
@@ -314,13 +330,20 @@ def _followed(m: Any, x: Any, along: Any, e0: Any, e1: Any, e2: Any, e3: Any, si
     length = m.sqrt(m.where(still, 1 + ss, ss)) + (ss - ss)
     rv = m.sqrt(m.where(resting, 1 + x, x))
     cv = m.sqrt(1 - x)
-    projected = m.where(resting, 0, 8 * m.atan2(rv, cv) / rv) * along / length
-    sine = m.where(still, ss, length)
+    ownv = m.where(resting, 0, 8 * m.atan2(rv, cv))
+    part = along / rv
     falling = e0 < 0
     cosine = m.where(falling, -e0, e0)
+    noise = m.sqrt(m.abs(ss - part * part)) / 1024 + ss / (64 * m.where(length < cosine, cosine, length))
+    apart = cosine < m.beside(cosine, noise)
+    projected = m.where(apart, ownv * part / length, ownv)
+    sine = m.where(still, ss, length)
     folded = m.where(falling, -2, 2) * m.atan2(sine, cosine)
     turns = projected - folded + 2 * m.atan2(m.tan((folded - projected) / 2), 1)
-    alphan = folded + m.where(m.abs(turns) < 1, 0, turns)
+    principal = m.abs(turns) < 1
+    turned = apart | principal
+    rest = m.where(turned, folded, 2 * part / m.where(turned, 1, e0))
+    alphan = rest + m.where(principal, 0, turns)
     tn = m.tan(alphan / 16)
     ttn = tn * tn
     belown = 1 + ttn
@@ -329,10 +352,18 @@ def _followed(m: Any, x: Any, along: Any, e0: Any, e1: Any, e2: Any, e3: Any, si
     sinn = siden * (2 * tn / belown)
     cosn = siden * furthern
     slopen = cosn / 8
-    z0s = m.where(still, e0, length)
-    factor = m.where(still, 2 * slopen / z0s, sinn / length)
+    beside_turn = m.abs(m.where(m.abs(sinn) < 1, part, sinn * part))
+    clear_of_turn = cosine < m.beside(cosine, beside_turn / 16)
+    lost = m.where(turned, 0, m.where(clear_of_turn, 0, 1))
+    sharp = lost == 0
+    below = m.where(turned, m.where(still, e0, length), m.where(sharp, part, cosine / 16777216))
+    above = m.where(turned & still, 2 * slopen, sinn)
+    factor = above / below
+    ofe = m.where(turned, factor, 0)
+    ofv = m.where(turned, 0, above / rv)
     knownn = m.abs(furthern)
-    return factor, knownn
+    fe = factor * e0
+    return ofe, ofv, fe, knownn, lost
 
 
 CHART = Chart(
@@ -358,10 +389,10 @@ CHART = Chart(
     functions=by_name(
         _quaternion_scalars, _pose_scalars, _tangent_scalars, _tangent_dot_scalars, _rate_scalars, _inverse_scalars,
         _inverse_at, _tangent_inv_at, _tangent_inv_scalars, _tangent_inv_dot_scalars, _ray, _gain, _inside, _direction,
-        _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _followed,
+        _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _coefficient_of, _followed,
     ),
     kernels=SHARED,
-    programs="98d2800efd031966",
+    programs="5c90e8680de55d50",
     ends=True,
 )
 

@@ -19,6 +19,7 @@ from derive.codegen.signatures import POSES, ROTATIONS
 from derive.codegen.validation.compiled import compiler
 from derive.maps import Cayley, family
 from derive.maps.chart import Chart
+from tests.generated import test_whole_turns as whole_turns
 from tests.support import families, native, packages, regimes
 from tests.support.libraries import Through
 from tests.support.regimes import Call
@@ -143,6 +144,13 @@ def test_functions_are_right_or_not_finite(functions_of: Any, target: str, table
     functions = functions_of(target, table, name, dtype)
     share = 26 if target in ("jax", "numba") else 13
     assert wrong(functions, table, name, WHOLE.index((table, name, dtype)), share, dtype) == []
+
+
+@pytest.mark.parametrize("target", ["numpy", pytest.param("c", marks=(pytest.mark.thorough, pytest.mark.compiler))])
+def test_steps_beside_whole_turns_have_the_pose(functions_of: Any, target: str) -> None:
+    kernels = subject("cayley3")
+    module: Any = Facade(kernels.module, POSES, functions_of(target, "", "cayley3", np.float64))
+    assert max(whole_turns.cases(Subject(module, kernels.oracle), np.float64, 3))[0] <= 1
 
 
 def test_a_target_that_takes_nan_for_zero_is_seen() -> None:

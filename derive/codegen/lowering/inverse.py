@@ -8,7 +8,7 @@ rounding, the given vector part stands. Every component of v is NaN if a compone
 from __future__ import annotations
 
 from ...algebra import Quaternion, Vector
-from ...maps.scalars import NOISE_GIVEN
+from ...maps.noise import NOISE_GIVEN, near_turn
 from ..programs.value import Number
 from .forward import rotated, rows_of, translation
 from .kinematics import opposite
@@ -20,6 +20,22 @@ def dual_part(trace: Geometry, fi: Number, hi: Number, v: Vector, half: Vector) 
     half = trace.vector("shift", half)
     along = trace.name("along", hi * v.dot(half))
     du: Vector = fi * half - v.cross(half) + along * v
+    return du
+
+
+def dual_part_at(
+    trace: Geometry, fi: Number, hi: Number, ai: Number, v: Vector, half: Vector
+) -> Vector:
+    """Return the dual part v° = fi r − v × r + hi (v·r) v, which is ai r − v × r + v × (hi v × r) next to a whole turn.
+
+    There fi and hi are large, with ai = fi + x hi: their errors reach only the part of v° across v, not that along v,
+    which moves the pose.
+    """
+    near = near_turn(fi, ai, trace)
+    turned, bend = trace.vector("vr", v.cross(half)), trace.name("hn", trace.where(near, hi, 0))
+    along = trace.name("along", (hi - bend) * v.dot(half))
+    across = trace.vector("hvr", bend * turned)
+    du: Vector = trace.name("an", trace.where(near, ai, fi)) * half - turned + v.cross(across) + along * v
     return du
 
 

@@ -7,12 +7,16 @@ through whole turns.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from ...algebra import Quaternion, Vector
+from ...maps.noise import at_turn
+from ...maps.real_constants import SMALL
 from ..programs.value import Number
 from .forward import translation
-from .inverse import composed, displacement, dual_part
+from .inverse import composed, displacement, dual_part_at
 from .point import LAYOUTS, Geometry, Point, Results
-from .retraction import exponential_scalars, local
+from .retraction import exponential_scalars, local, shifted
 
 HALF_TURN = 3
 """Bound of α at v1, in rad. A motion that begins below it and ends before a whole turn passes through no whole turn."""
@@ -35,7 +39,7 @@ def interpolate(trace: Geometry) -> Results:
     found = trace.apply(composed, "{}", small, f, g, step, rho, first, (r1, r2, r3))
     before = Point(trace, v1, "a")
     followed = _Followed(trace, before, Quaternion.from_components(first), Vector(*delta[:3]), Vector(*step[:3]))
-    return followed.vector(Quaternion.from_components(found[:4]), Vector(*found[4:]))
+    return followed.vector(Quaternion.from_components(found[:4]), Vector(*found[4:]), (*v1[3:], *step[3:]))
 
 
 class _Followed:
@@ -72,23 +76,27 @@ class _Followed:
         sign = name("sign" + mark, trace.where(self.apart, self.side, 1))
         return sine, name("half" + mark, trace.atan2(sign * sine, sign * q.scalar))
 
-    def vector(self, z: Quaternion, rho: Vector) -> tuple[Number, ...]:
-        """Return v of the quaternion z and the translation rho."""
+    def vector(self, z: Quaternion, rho: Vector, terms: Sequence[Number]) -> tuple[Number, ...]:
+        """Return v of the quaternion z and the translation rho, which is computed from the terms."""
         trace, name, where = self.trace, self.trace.name, self.trace.where
         sine, half = self._half(z, "t")
         turns = name("turns", self.own + where(self.apart, -2 * self.begun, self.gone - 2 * half))
-        whole = where(trace.less(trace.abs(turns), 1), 0, turns)  # a multiple of 2π, up to rounding
-        still = name("still", trace.equal(sine, 0))
+        near = name("first", trace.less(trace.abs(turns), 1))
+        whole = where(near, 0, turns)  # a multiple of 2π, up to rounding
+        principal = name("principal", trace.either(self.apart, near))
+        still = name("still", trace.both(trace.equal(sine, 0), principal))
         angle = name("angle", where(still, sine, whole + 2 * half))
-        size, slope, known = trace.ask("coefficient", (angle,), "n")
+        size, slope, known = trace.ask("coefficient_of", (angle, sine, z.scalar), "n")
+        cosine, length = name("cosine", trace.abs(z.scalar)), name("length", trace.abs(sine))
+        lost = name("lost", where(principal, 0, at_turn(sine, cosine, size, trace)))
         # use the vector part even if its square underflows to 0
-        least = 2 * slope / name("z0s", where(still, z.scalar, 1))
-        turned = size / name("nosine", where(still, 1 + sine, sine))
-        factor = name("factor", where(still, least, turned))
+        below = where(still, z.scalar, where(name("sharp", trace.equal(lost, 0)), sine, cosine / SMALL))
+        factor = name("factor", where(still, 2 * slope, size) / name("below", below))
         # near whole turns take the axis of v1; elsewhere the axis of z is as accurate and has the slope of the motion
-        clear = name("clear", trace.either(self.apart, trace.less(trace.abs(z.scalar), trace.abs(sine))))
+        clear = name("clear", trace.either(self.apart, trace.less(cosine, length)))
         pairs = zip(factor * z.vector, size * self.axis, strict=True)
         re = trace.vector("v_", trace.inside(Vector(*(where(clear, one, other) for one, other in pairs))))
-        fi = name("fe", factor * z.scalar)
-        (hi,) = trace.ask("inverse_at", (Point(trace, (*re, 0, 0, 0), "w").x, fi, known))
-        return (*re, *dual_part(trace, fi, hi, re, rho / 2))
+        shift = trace.vector("shift", rho / 2)
+        fi = shifted(trace, name("fe", factor * z.scalar), lost, re, shift, terms)
+        hi, ai = trace.ask("inverse_at", (Point(trace, (*re, 0, 0, 0), "w").x, fi, known))
+        return (*re, *dual_part_at(trace, fi, hi, ai, re, shift))

@@ -6,11 +6,12 @@ from collections.abc import Sequence
 
 from ...algebra import Quaternion, Vector
 from ...maps.exponential import Exponential, PrincipalScalars, StepScalars
+from ...maps.noise import NOISE_OF_STEPS
 from ..programs.value import Number
 from .calculus import matrix6
 from .forward import tensor_at, translation
 from .groups import dual_product
-from .inverse import composed, displacement, dual_part, product
+from .inverse import composed, displacement, dual_part, dual_part_at, product
 from .kinematics import opposite, tangent, tangent_at, tangent_inverse_at
 from .point import Geometry, Point, Results, dual_tensor
 
@@ -21,14 +22,30 @@ SCALARS = ("s", "w", "f", "g", "h", "fy", "gy", "hy")
 def retracted(
     trace: Geometry, scalars: Sequence[Number], delta: Sequence[Number], v: Sequence[Number]
 ) -> tuple[Vector, Number, Number, Vector]:
-    """Return the results of `followed` for exp(δ) R(v), and the product's ρ."""
+    """Return the vector of exp(δ) R(v), f_i, the number of its angle, and half of ρ."""
     s, w, f, g, h = scalars
     *large, size, _, _, r1, r2, r3 = trace.apply(displacement, "{}_1", v)
     small = (s, *(w * Vector(*delta[:3])))
     rho = translation(Point(trace, delta, "d"), f, g, h)
     found = trace.apply(composed, "{}", small, f, g, delta, rho, large, (r1, r2, r3))
-    *re, fe, angle = trace.apply(followed, "{}", v[:3], found[:4], size, s)
-    return Vector(*re), fe, angle, Vector(*found[4:])
+    *re, fe, angle, lost = trace.apply(followed, "{}", v[:3], found[:4], size, s)
+    w, half = Vector(*re), trace.vector("shift", Vector(*found[4:]) / 2)
+    return w, shifted(trace, fe, lost, w, half, (*v[3:], *delta[3:])), angle, half
+
+
+def shifted(
+    trace: Geometry, fe: Number, lost: Number, v: Vector, half: Vector, terms: Sequence[Number]
+) -> Number:
+    """Return f_i; it is infinite where no v has the pose, a translation across the axis at a whole turn.
+
+    The translation is rounding noise there if it is noise beside its terms.
+    """
+    if trace.real:
+        return fe
+    across, size = (sum(map(trace.abs, group), start=0) for group in (v.cross(half), terms))
+    scale = trace.name("scale", size)
+    adrift = trace.name("adrift", trace.less(scale, trace.beside(scale, lost * across / NOISE_OF_STEPS)))
+    return trace.name("fen", fe / trace.where(adrift, 0, 1))
 
 
 def exponential_scalars(trace: Geometry) -> Results:
@@ -39,7 +56,7 @@ def exponential_scalars(trace: Geometry) -> Results:
 
 
 def followed(trace: Geometry) -> Results:
-    """Vector ``factor · vec e`` of a quaternion e on the branch nearest v, factor · e0, and the number of its angle.
+    """Vector of a quaternion e on the branch nearest v, f_i there, the number of its angle, and 1 at a whole turn.
 
     The quaternion has a size; turn is the scalar part of the step.
     """
@@ -47,9 +64,9 @@ def followed(trace: Geometry) -> Results:
     e = Quaternion.from_components(trace.components("e", "e", 4))
     size, turn = trace.numbers("size", "turn")
     along = trace.name("along", v.dot(e.vector))
-    factor, known = trace.ask("followed", (Point(trace, (*v, 0, 0, 0)).x, along, *e, size, turn))
-    results = (*trace.inside(factor * e.vector), factor * e.scalar, known)
-    return dict(zip(("w1", "w2", "w3", "fe", "known"), results, strict=True))
+    of_e, of_v, *rest = trace.ask("followed", (Point(trace, (*v, 0, 0, 0)).x, along, *e, size, turn))
+    results = (*trace.inside(of_e * e.vector + of_v * v), *rest)
+    return dict(zip(("w1", "w2", "w3", "fe", "known", "lost"), results, strict=True))
 
 
 def logarithm(trace: Geometry) -> Results:
@@ -73,9 +90,9 @@ def retract(trace: Geometry) -> Results:
     """Vector of exp(δ) R(v), on the branch nearest v."""
     v, delta = trace.components("v", "v", 6), trace.components("delta", "d", 6)
     s, w, f, g, h, *_ = trace.apply(exponential_scalars, "{}", delta[:3])
-    re, fe, angle, rho = retracted(trace, (s, w, f, g, h), delta, v)
-    (hi,) = trace.ask("inverse_at", (Point(trace, (*re, 0, 0, 0)).x, fe, angle))
-    return *re, *dual_part(trace, fe, hi, re, rho / 2)
+    re, fi, angle, half = retracted(trace, (s, w, f, g, h), delta, v)
+    hi, ai = trace.ask("inverse_at", (Point(trace, (*re, 0, 0, 0)).x, fi, angle))
+    return *re, *dual_part_at(trace, fi, hi, ai, re, half)
 
 
 def body_retract(trace: Geometry) -> Results:
@@ -88,9 +105,9 @@ def retract_jacobians(trace: Geometry) -> Results:
     """Derivatives T(w)⁻¹ exp(δ) T(v) and T(w)⁻¹ dexp(δ) of w = retract(v, δ), by v and by δ."""
     v, delta = trace.components("v", "v", 6), trace.components("delta", "d", 6)
     s, w, f, g, h, *slopes = trace.apply(exponential_scalars, "{}", delta[:3])
-    re, fe, angle, rho = retracted(trace, (s, w, f, g, h), delta, v)
-    fi, hi, fiy, hiy = trace.ask("tangent_inv_at", (Point(trace, (*re, 0, 0, 0)).x, fe, angle))
-    du = dual_part(trace, fi, hi, re, rho / 2)
+    re, fe, angle, half = retracted(trace, (s, w, f, g, h), delta, v)
+    fi, hi, ai, fiy, hiy = trace.ask("tangent_inv_at", (Point(trace, (*re, 0, 0, 0)).x, fe, angle))
+    du = dual_part_at(trace, fi, hi, ai, re, half)
     back = trace.apply(tangent_inverse_at, "back{}", fi, hi, fiy, hiy, (*re, *du))
     R = trace.apply(tensor_at, "R{}", f, g, h, delta)
     turned = trace.apply(dual_product, "RT{}", R, trace.apply(tangent, "T{}", v))

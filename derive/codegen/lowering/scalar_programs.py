@@ -9,10 +9,10 @@ from typing import Any
 import sympy
 
 from ...algebra import Quaternion
-from ...maps.chart import Chart
+from ...maps.chart import Chart, Followed
 from ...maps.multiple import FURTHER_POWERS, POWERS
+from ...maps.noise import NOISE_OF_ANGLE
 from ...maps.real_constants import number, plus
-from ...maps.scalars import NOISE_OF_ANGLE
 from ..programs.program import Constant, Program
 from ..programs.trace import Trace
 from ..programs.value import Number
@@ -37,8 +37,8 @@ FORMULAS: Mapping[str, tuple[str, str, tuple[str, ...]]] = {
         "`T^-1 = (fi I - skew(v) + hi v(x)v)/2`", "`fi = p/q`, `hi = d/(n q)`, `x d = (1 + x) q - n p`",
         ("tangent_inv",),
     ),
-    "inverse_at": ("hi of T^-1 at a known angle", "", ()),
-    "tangent_inv_at": ("fi, hi of T^-1 at a known angle, with slopes `fiy = 2 dfi/dx`, hiy", "", ()),
+    "inverse_at": ("hi of T^-1 at a known angle, and for ai `fi + x hi = 2 phi'`", "", ()),
+    "tangent_inv_at": ("fi, hi, ai of T^-1 at a known angle, with slopes `fiy = 2 dfi/dx`, hiy", "", ()),
     "tangent_inv_scalars": ("fi, hi of T^-1 with slopes `fiy = 2 dfi/dx`, hiy", "", ("tangent_inv",)),
     "tangent_inv_dot_scalars": ("fi, hi of T^-1 with slopes fiy, hiy and second slopes fiyy, hiyy", "", ()),
     "ray": ("`a + b v = size q` for the unit quaternion q, size > 0, and f, g, h of R and T", "`a/b = p/q`", ()),
@@ -51,7 +51,10 @@ FORMULAS: Mapping[str, tuple[str, str, tuple[str, ...]]] = {
     "turned": ("coefficient rk of the vector rk u on another branch of r u, drk/dr and d²rk/dr²", "", ()),
     "beyond": ("truth of x > limit, beyond the principal branch, x or the limit, and the turn back", "", ()),
     "coefficient": ("`r = phi(alpha)`, phi', and the number by which alpha is known", "", ()),
-    "followed": ("factor of vec e on the branch nearest v, and the number by which alpha is known", "", ()),
+    "coefficient_of": (
+        "`r = phi(alpha)`, phi', the number by which alpha is known, by sine and cosine of alpha/2", "", (),
+    ),
+    "followed": ("factors of vec e and v in the vector on the branch nearest v, and fi, by e, for T^-1", "", ()),
 }
 """Formulas by scalar program: for every chart, for order n, and the maps whose equations are cited.
 
@@ -102,6 +105,10 @@ def _coefficient(chart: Chart, trace: Trace, angle: Number) -> tuple[Number, ...
     return *chart.coefficient(angle, trace), chart.known(angle, trace)
 
 
+def _coefficient_of(chart: Chart, trace: Trace, angle: Number, sine: Number, cosine: Number) -> tuple[Number, ...]:
+    return *chart.coefficient_of(angle, sine, cosine, trace), chart.known(angle, trace)
+
+
 def _followed(chart: Chart, trace: Trace, x: Number, along: Number, *e: Number) -> tuple[Number, ...]:
     size, turn = e[4:]
     return chart.followed(x, along, Quaternion.from_components(e[:4]), size, turn, trace)
@@ -139,8 +146,8 @@ SCALARS: Mapping[str, Scalar] = {
     "tangent_dot_scalars": Scalar(SQUARES, ("f", "g", "h", "fy", "gy", "hy", "fyy", "gyy", "hyy")),
     "rate_scalars": Scalar(("x",), ("rate",)),
     "inverse_scalars": Scalar(("x", "fe"), ("fi", "hi"), lambda c, m, x, fe: c.back(x, fe, m)),
-    "inverse_at": Scalar(("x", "fe", "angle"), ("hi",), _at_angle),
-    "tangent_inv_at": Scalar(("x", "fe", "angle"), ("fi", "hi", "fiy", "hiy"), _at_angle),
+    "inverse_at": Scalar(("x", "fe", "angle"), ("hi", "ai"), _at_angle),
+    "tangent_inv_at": Scalar(("x", "fe", "angle"), ("fi", "hi", "ai", "fiy", "hiy"), _at_angle),
     "tangent_inv_scalars": Scalar(("x",), ("fi", "hi", "fiy", "hiy")),
     "tangent_inv_dot_scalars": Scalar(("x",), ("fi", "hi", "fiy", "hiy", "fiyy", "hiyy")),
     "ray": Scalar(("x",), ("a", "b", "size", "f", "g", "h"), _ray),
@@ -153,7 +160,8 @@ SCALARS: Mapping[str, Scalar] = {
     "turned": Scalar(("r", "cos", "sin"), ("rk", "slope", "bend"), lambda c, m, r, *turn: c.turned(r, turn, m)),
     "beyond": Scalar(("x", "table"), ("beyond", "place", "cosine", "sine"), _beyond, truths=("beyond",)),
     "coefficient": Scalar(("alpha",), ("r", "slope", "known"), _coefficient),
-    "followed": Scalar(("x", "along", *E, "size", "turn"), ("factor", "known"), _followed),
+    "coefficient_of": Scalar(("alpha", "sine", "cosine"), ("r", "slope", "known"), _coefficient_of),
+    "followed": Scalar(("x", "along", *E, "size", "turn"), Followed._fields, _followed),
 }
 """Scalar programs by name; `Scalars.ray` defines a, b and size, and `Chart` defines turns and tables."""
 

@@ -116,7 +116,7 @@ def axis_of(trace: Geometry) -> Results:
     u = trace.vector("u", scaled / root)
     size_du = point.name("ro", trace.where(still, scale * root, u.dot(vo)))
     inverse = point.name("ir", trace.where(still, 0, 1) / root)
-    across = vo - trace.vector("ru", size_du * u)
+    across = u.cross(trace.vector("c", vo.cross(u)))  # without errors along u, which moments of longer vectors magnify
     results = (total * root, *u, size_du, *(across / scale * inverse))
     return dict(zip(("r", "u1", "u2", "u3", "ro", "u1o", "u2o", "u3o"), results, strict=True))
 
@@ -205,6 +205,15 @@ def _length(trace: Geometry, point: Point) -> tuple[Number, Number, Number]:
 
 
 def _rescaled(trace: Geometry, point: Point, square: Number, share: Number, slope: Number) -> tuple[Number, ...]:
-    """Return v times ``share``, the new length over the old; ``slope`` is the derivative of the new by the old."""
-    bend = trace.name("bend", (slope - share) * point.y / square)
-    return *(share * point.re), *(share * point.du + bend * point.re)
+    """Return v times ``share``, the new length over the old; ``slope`` is the derivative of the new by the old.
+
+    The dual part is ``slope`` times its part along v, and ``share`` times the rest. The larger factor multiplies one
+    part alone: its errors would spoil the other.
+    """
+    v, vo, where = point.re, point.du, trace.where
+    excess = trace.name("excess", (share - slope) / square)
+    steep = trace.name("steep", trace.less(excess, 0))
+    bend = trace.name("bend", where(steep, -excess, 0) * point.y)
+    across = trace.vector("c", trace.name("rest", where(steep, 0, excess)) * vo.cross(v))
+    both = trace.name("both", where(steep, share, slope))
+    return *(share * v), *(both * vo + v.cross(across) + bend * v)

@@ -24,8 +24,6 @@ TOWERS = {
     "pose_scalars": "tangent_scalars",
     "tangent_scalars": "tangent_dot_scalars",
     "inverse_scalars": "tangent_inv_scalars",
-    "inverse_at": "tangent_inv_scalars",
-    "tangent_inv_at": "tangent_inv_dot_scalars",
     "tangent_inv_scalars": "tangent_inv_dot_scalars",
     "tangent_inv_dot_scalars": "tangent_inv_dot_scalars",
 }

@@ -24,11 +24,12 @@ from .. import stumpff
 from ..angle import Angle
 from ..angle_chart import AngleChart
 from ..families import alpha
+from ..noise import NOISE
 from ..order_charts import Derivatives, half_angle
 from ..phi_error import SYMBOLIC_ONLY, PhiError
 from ..quotient import Quotient, elementary
 from ..real_constants import plus
-from ..scalars import NOISE, DependentScalars, scalar
+from ..scalars import DependentScalars, scalar
 from .edges import PHI_DIGITS, Edge, edge_of
 from .first_guess import guess
 from .guesses import Guess, from_end

@@ -19,9 +19,9 @@ from ...algebra import Coefficient
 from ...algebra.arithmetic import PLAIN, Arithmetic
 from ..angle_of_length import real_value
 from ..families import alpha
+from ..noise import NOISE
 from ..quotient import elementary
 from ..real_constants import Polynomial, plus, times
-from ..scalars import NOISE
 from .intervals import Intervals
 from .phi_values import PhiValues
 

@@ -681,18 +681,18 @@ def between_jacobians(m: Any, c: Any, v2: Components, v1: Components) -> Result:
 
 
 def followed(m: Any, c: Any, v: Components, e: Components, size: Any, turn: Any) -> Result:
-    """Vector ``factor · vec e`` of a quaternion e on the branch nearest v, factor · e0, and the number of its angle."""
+    """Vector of a quaternion e on the branch nearest v, f_i there, the number of its angle, and 1 at a whole turn."""
     v1, v2, v3 = v
     e0, e1, e2, e3 = e
     along = v1 * e1 + v2 * e2 + v3 * e3
     x = v1 * v1 + v2 * v2 + v3 * v3
-    factor, known = c.followed(m, x, along, e0, e1, e2, e3, size, turn)
-    made1 = e1 * factor
-    made2 = e2 * factor
-    made3 = e3 * factor
+    of_e, of_v, fe, known, lost = c.followed(m, x, along, e0, e1, e2, e3, size, turn)
+    made1 = e1 * of_e + v1 * of_v
+    made2 = e2 * of_e + v2 * of_v
+    made3 = e3 * of_e + v3 * of_v
     xmade = made1 * made1 + made2 * made2 + made3 * made3
     inside, = c.inside(m, xmade)
-    return made1 * inside, made2 * inside, made3 * inside, factor * e0, known
+    return made1 * inside, made2 * inside, made3 * inside, fe, known, lost
 
 
 def retract(m: Any, c: Any, v: Components, delta: Components) -> Result:
@@ -701,7 +701,7 @@ def retract(m: Any, c: Any, v: Components, delta: Components) -> Result:
     s, w, _, _, _, _, _, _ = exponential_scalars(m, delta)
     e0_1, e1_1, e2_1, e3_1, size_1 = displacement(m, c, v)
     found_ = quaternion_product((s, d1 * w, d2 * w, d3 * w), (e0_1, e1_1, e2_1, e3_1))
-    w1, w2, w3, _, _ = followed(m, c, v, found_, size_1, s)
+    w1, w2, w3, _, _, _ = followed(m, c, v, found_, size_1, s)
     return w1, w2, w3
 
 
@@ -719,9 +719,9 @@ def retract_jacobians(m: Any, c: Any, v: Components, delta: Components) -> Resul
     s, w, f, g, h, _, _, _ = exponential_scalars(m, delta)
     e0_1, e1_1, e2_1, e3_1, size_1 = displacement(m, c, v)
     found_ = quaternion_product((s, d1 * w, d2 * w, d3 * w), (e0_1, e1_1, e2_1, e3_1))
-    w1, w2, w3, fe, known = followed(m, c, v, found_, size_1, s)
+    w1, w2, w3, fe, known, _ = followed(m, c, v, found_, size_1, s)
     x = w1 * w1 + w2 * w2 + w3 * w3
-    fi, hi, _, _ = c.tangent_inv_at(m, x, fe, known)
+    fi, hi, _, _, _ = c.tangent_inv_at(m, x, fe, known)
     back = tangent_inverse_at(fi, hi, (w1, w2, w3))
     R = tensor_at(f, g, delta)
     T = tangent(m, c, v)
@@ -819,13 +819,20 @@ def interpolate(m: Any, c: Any, v1: Components, v2: Components, time: Components
     halft = m.atan2(sign1 * sinet, sign1 * e0)
     halft_by_2 = 2 * halft
     turns = alpha + m.where(apart, -2 * half1, gone - halft_by_2)
-    still = sinet == 0
-    angle = m.where(still, sinet, m.where(m.abs(turns) < 1, 0, turns) + halft_by_2)
-    rn, slopen, _ = c.coefficient(m, angle)
-    z0s = m.where(still, e0, 1)
-    nosine = m.where(still, 1 + sinet, sinet)
-    factor = m.where(still, 2 * slopen / z0s, rn / nosine)
-    clear = apart | (m.abs(e0) < m.abs(sinet))
+    first = m.abs(turns) < 1
+    principal = apart | first
+    still = (sinet == 0) & principal
+    angle = m.where(still, sinet, m.where(first, 0, turns) + halft_by_2)
+    rn, slopen, _ = c.coefficient_of(m, angle, sinet, e0)
+    cosine = m.abs(e0)
+    length = m.abs(sinet)
+    beside_turn = m.abs(m.where(m.abs(rn) < 1, sinet, rn * sinet))
+    clear_of_turn = cosine < m.beside(cosine, beside_turn / 16)
+    lost = m.where(principal, 0, m.where(clear_of_turn, 0, 1))
+    sharp = lost == 0
+    below = m.where(still, e0, m.where(sharp, sinet, cosine / 16777216))
+    factor = m.where(still, 2 * slopen, rn) / below
+    clear = apart | (cosine < length)
     made1 = m.where(clear, e1 * factor, axis1 * rn)
     made2 = m.where(clear, e2 * factor, axis2 * rn)
     made3 = m.where(clear, e3 * factor, axis3 * rn)

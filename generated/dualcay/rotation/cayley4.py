@@ -22,7 +22,7 @@ from ._interface import RotationKernels
 
 ORDER = 4
 
-CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="bb1facabde026723")
+CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="7b0a5a302d95afe2")
 
 KERNELS = RotationKernels(CHART)
 dcay = KERNELS.tangent

@@ -22,7 +22,7 @@ from ._interface import RotationKernels
 
 ORDER = 5
 
-CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="ede1a5588815319f")
+CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="3de95fa05c43344b")
 
 KERNELS = RotationKernels(CHART)
 dcay = KERNELS.tangent

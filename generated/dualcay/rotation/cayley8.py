@@ -22,7 +22,7 @@ from ._interface import RotationKernels
 
 ORDER = 8
 
-CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="5a3b34d5e2b01094")
+CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="b7e01bb03491a996")
 
 KERNELS = RotationKernels(CHART)
 dcay = KERNELS.tangent

@@ -22,7 +22,7 @@ from ._interface import RotationKernels
 
 ORDER = 1
 
-CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="db8e819006314f5f")
+CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="e744d750bc815f0d")
 
 KERNELS = RotationKernels(CHART)
 dexp = KERNELS.tangent

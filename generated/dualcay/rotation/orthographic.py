@@ -22,7 +22,7 @@ from ._interface import RotationKernels
 
 ORDER = 1
 
-CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="a2751c1c4ce07482")
+CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="eac380282596781f")
 
 KERNELS = RotationKernels(CHART)
 # the functions of this module are the methods of KERNELS

@@ -22,7 +22,7 @@ from ._interface import RotationKernels
 
 ORDER = 3
 
-CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="f8d3eea8ef7639e2")
+CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="971270b74803f7bf")
 
 KERNELS = RotationKernels(CHART)
 # the functions of this module are the methods of KERNELS

@@ -22,7 +22,7 @@ from ._interface import RotationKernels
 
 ORDER = 5
 
-CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="f285b89af91bd464")
+CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="d102096be110d9f6")
 
 KERNELS = RotationKernels(CHART)
 # the functions of this module are the methods of KERNELS

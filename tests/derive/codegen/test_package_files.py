@@ -70,11 +70,12 @@ def test_rotations_have_a_geometry_and_a_module_for_each_chart(target: str) -> N
 
 
 @pytest.mark.parametrize("target", TARGETS)
-def test_release_changes_one_file(target: str, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_release_changes_files_that_tell_the_version(target: str, monkeypatch: pytest.MonkeyPatch) -> None:
     before = dict(shared_texts(TARGETS[target]))
     monkeypatch.setattr(about, "__version__", "99.1.2")
     after = shared_texts(TARGETS[target])
-    assert [name for name, text in before.items() if after[name] != text] == [TARGETS[target].entry]
+    built = ["CMakeLists.txt"] if target == "c" else []  # CMake reads the version of a package from its project
+    assert {name for name, text in before.items() if after[name] != text} == {TARGETS[target].entry, *built}
 
 
 # --- text about the package in its entry module -------------------------------------------------------------------

@@ -40,7 +40,7 @@ ALTERED = {
     ),
     "angle of a switch": ("numpy", "_switching.py", "(pi + first) / 2", "(pi + first) / 3", "propagate, lie, space"),
     "branch of a sequence": (
-        "numpy", "_sequences.py", "(along - angle) / (2 * pi)", "(along + angle) / (2 * pi)", "unwrap of 6 components",
+        "numpy", "_sequences.py", "angle + 2 * pi * branches", "angle - 2 * pi * branches", "unwrap of 6 components",
     ),
     "ways through a sequence": (
         "numpy", "_sequences.py", "better = total < costs", "better = total > costs", "unwrap of 6 components",
