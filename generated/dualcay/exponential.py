@@ -192,7 +192,7 @@ def _inverse_scalars(m: Any, x: Any, fe: Any) -> Result:
 
 # hi of T^-1 at a known angle, and for ai fi + x hi = 2 phi'
 def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
-    near = m.abs(fe) > 4
+    near = 4 < m.abs(fe)
     nearby, _, _, _, C3, C1, CC1, C0, xx, alpha = _nearby_to_alpha(m, x)
     _, _, sine, versine, lost, _, h = _C01_to_h(m, C0, CC1, C1, C3, alpha, xx, nearby)
     g = m.where(nearby, CC1 / 2, (versine + lost * sine) / xx)
@@ -203,7 +203,7 @@ def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
 
 # fi, hi, ai of T^-1 at a known angle, with slopes fiy = 2 dfi/dx, hiy
 def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
-    near = m.abs(fe) > 4
+    near = 4 < m.abs(fe)
     nearby, z, _, C5, C3, C1, CC1, C0, xx, alpha = _nearby_to_alpha(m, x)
     C01, C2, sine, versine, lost, f, h = _C01_to_h(m, C0, CC1, C1, C3, alpha, xx, nearby)
     g, _, _, c5, c4 = _g_to_c4(m, lost, sine, versine, CC1, xx, nearby, C3, C2, z, C01, C5, C1)
