@@ -71,36 +71,6 @@ def test_every_function_is_right_or_not_finite(name: str, table: str, share: int
         assert wrong(chosen(chart, regime, place, share, dtype)) == [], regime
 
 
-OF_TANGENTS = ("transition", "body_transition")
-"""Functions of two vectors that need no pose: they are right wherever T is."""
-
-
-def without_pose(chart: Subject) -> np.ndarray:
-    """Return vectors whose pose overflows or is unknown."""
-    lengths = chart.at([float(np.finfo(float).max) ** power for power in (0.2, 0.253, 0.34, 0.51, 0.8)], np.float64)
-    _, bad = next(REGIMES["not finite"](chart, np.float64))
-    v = np.concatenate([lengths, bad[np.isnan(bad).any(axis=-1)]])
-    return np.asarray(v[~np.isfinite(chart.module.quaternion(v)).all(axis=-1)])
-
-
-@pytest.mark.parametrize("name", CHARTS)
-def test_products_steps_and_exponential_maps_are_not_finite_without_a_pose(name: str) -> None:
-    """Put each vector without a pose in each place where one may stand, alone and in a batch."""
-    chart = subject(name, ("", "rotation")[CHARTS.index(name) % 2])
-    steps = subject("exponential", chart.table.name)
-    for function, row in chart.table.public.items():
-        places = [place for place, array in enumerate(row.arguments) if array.vector or array.name in regimes.STEP]
-        of_steps = any(array.name in regimes.STEP for array in row.arguments)
-        products = len(places) > 1 and row.source not in OF_TANGENTS
-        for place in places if of_steps or products else ():
-            usual = [np.full(array.shape, 0.1) for array in row.arguments]
-            bad = without_pose(chart if row.arguments[place].vector else steps)
-            for v in (bad, *bad[::3]):
-                found = getattr(chart.module, function)(*usual[:place], v, *usual[place + 1 :])
-                for part in found if isinstance(found, tuple) else (found,):
-                    assert not np.isfinite(part.reshape(*v.shape[:-1], -1)).all(axis=-1).any(), (function, place, v)
-
-
 NEXT_AXES = [1, 2, 0, 4, 5, 3]
 PRODUCTS = ("compose", "between", "retract", "body_retract", "local", "body_local", "interpolate")
 

@@ -127,6 +127,20 @@ def test_each_rule_is_the_difference_of_its_kernel(charts, chart):
                 assert error < NEARLY, (name, regime, error)
 
 
+@pytest.mark.parametrize("name", ["compose", "compose_jacobians"])
+def test_rules_are_the_derivatives_of_jax(charts, name):
+    module, vectors = charts("cayley3"), places(charts("cayley3"), 6)["beyond"]
+    rates = [np.array(row) for row in ((0.3, -0.7, 0.2, 0.5, 0.1, -0.4), (-0.6, 0.2, 0.8, -0.1, 0.7, 0.3))]
+
+    def function(*at):
+        found = getattr(module, name)(*at)
+        return found[0] + 2 * found[1] if isinstance(found, tuple) else found
+
+    found = compiled(lambda *at: jax.jvp(function, at, tuple(rates))[1], *vectors)
+    expected = difference(function, vectors, rates)
+    assert np.max(abs(found - expected)) < NEARLY * np.max(abs(expected))
+
+
 def along_a_ray(m, chart, length):
     """Return arguments of scalar programs, by name, at a multiple of an axis; an angle alone has the same value."""
     (angle,) = chart.scalars.unfolded(m, length**2, length)
