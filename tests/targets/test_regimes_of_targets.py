@@ -151,6 +151,8 @@ def test_steps_beside_whole_turns_have_the_pose(functions_of: Any, target: str) 
     kernels = subject("cayley3")
     module: Any = Facade(kernels.module, POSES, functions_of(target, "", "cayley3", np.float64))
     assert max(whole_turns.cases(Subject(module, kernels.oracle), np.float64, 3))[0] <= 1
+
+
 @pytest.mark.parametrize(
     "target", ["numpy", "jax", "numba", pytest.param("c", marks=[pytest.mark.compiler, pytest.mark.thorough])]
 )
