@@ -104,8 +104,10 @@ ROTATION_LAWS = {
 """Conditions on arguments of functions of rotations, by function name."""
 
 
-def require(law: Law, value: Any, axis: int, check: Any = True) -> None:
+def require(law: Law, value: Any, axis: int, check: Any = True, start: Shape = ()) -> None:
     """Raise an error unless an argument meets its condition, as the keyword ``check`` of a function asks.
+
+    An argument that is a block of a larger batch has a start there, which counts in the index of the message.
 
     Raises
     ------
@@ -123,9 +125,9 @@ def require(law: Law, value: Any, axis: int, check: Any = True) -> None:
     if found:
         # first element, then largest violation; NaN counts as the largest
         index, violation, words = min(found, key=lambda at: (at[0], -at[1] if at[1] == at[1] else -inf))
+        place = _place(tuple(map(sum, zip(index, start))) if start else index, axis)
         raise ValueError(
-            f"{law.argument}{_place(index, axis)} is no {law.noun}: {words}, "
-            f"off by {violation:.2g} (allowed {allowed:.3g})"
+            f"{law.argument}{place} is no {law.noun}: {words}, off by {violation:.2g} (allowed {allowed:.3g})"
         )
 
 

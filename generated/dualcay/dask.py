@@ -14,6 +14,7 @@ from typing import Any
 
 import numpy as np
 
+from ._checks import LAWS, ROTATION_LAWS, Law, require
 from ._kernel import Array, Shape
 from ._runtime import as_array, batch_shape
 
@@ -142,6 +143,9 @@ SIGNATURES: Mapping[str, Mapping[str, str]] = {
 }
 """Shapes of the arguments and results of a pose, as NumPy writes signatures, by interface and function."""
 
+LAWS_OF = {"PoseKernels": LAWS, "RotationKernels": ROTATION_LAWS}
+"""Conditions of arguments, by interface and function."""
+
 
 def apply(kernel: Callable[..., Any], *arrays: Any, axis: int = -1, **options: Any) -> Any:
     """Return the lazy result of a kernel on Dask arrays, through ``dask.array.apply_gufunc``.
@@ -176,6 +180,8 @@ def apply(kernel: Callable[..., Any], *arrays: Any, axis: int = -1, **options: A
     Values equal those of the kernel on NumPy arrays. Only blocks of a few poses may differ by rounding: they run on
     Python floats, whose ``tan`` and ``atan2`` are not NumPy's, and float32 is rounded once there.
     Several arguments need known sizes of chunks: ``compute_chunk_sizes`` finds them after a selection by a mask.
+    An error of ``check`` names the first violation of a block, by its index in the whole array. Where sizes of chunks
+    are unknown, it names the block and the index in it.
 
     Examples
     --------
@@ -201,6 +207,11 @@ def apply(kernel: Callable[..., Any], *arrays: Any, axis: int = -1, **options: A
     meta = kernel(*(_empty(array, part, axis) for array, part in zip(given, parts)), axis=axis, **options)
     number = (meta[0] if len(results) > 1 else meta).dtype.type  # a plain number takes the dtype of the other arguments
     blocked = [da.asarray(number(array)) if type(array) in (int, float) else array for array in given]
+    if "check" in options:
+        law = LAWS_OF[type(kernel.__self__).__name__][kernel.__name__]  # type: ignore[attr-defined]
+        place = [name for name, _ in arguments].index(law.argument)
+        checked = partial(_checked, law, axis, options.pop("check"))
+        blocked[place] = blocked[place].map_blocks(checked, dtype=blocked[place].dtype, meta=blocked[place]._meta)
     axes = [_axes(part, axis) for part in (*parts, *results)]
     sizes = {str(size): size for part in results for size in part}
     run = partial(_run, kernel, parts, results, axis, options)
@@ -249,6 +260,21 @@ def _require_shapes(arguments: Sequence[tuple[str, Shape]], arrays: Sequence[Any
                 f"{name} must have one chunk along each component axis, got chunks {array.chunks}: "
                 f"call {name}.rechunk({whole})"
             )
+
+
+def _checked(law: Law, axis: int, check: Any, block: Array, block_info: Any) -> Array:
+    """Return a block; raise ValueError unless it meets the condition of its argument."""
+    place = block_info[0]
+    starts = [begin for begin, _ in place["array-location"]]
+    batch = tuple(starts[len(law.part) :] if axis == 0 else starts[: -len(law.part)])
+    known = not any(map(math.isnan, batch))
+    try:
+        require(law, block, axis, check, batch if known else ())
+    except ValueError as error:
+        if known:
+            raise
+        raise ValueError(f"in block {place['chunk-location']}, {error}") from None
+    return block
 
 
 def _run(

@@ -18,6 +18,7 @@ import pytest
 from derive.codegen.rows import Function
 from derive.codegen.signatures import POSES, ROTATIONS
 from dualcay import cayley3, exponential, rotation
+from dualcay._checks import LAWS, ROTATION_LAWS, Law
 from dualcay.dask import apply
 from tests.support.staying import until
 
@@ -89,12 +90,45 @@ def test_further_arguments_reach_the_kernel() -> None:
         apply(cayley3.from_pose, 2 * poses, check=True).compute(scheduler="synchronous")
 
 
+CHECKS = [
+    (module, table.public[name], law)
+    for (module, table), laws in zip(MODULES, (LAWS, ROTATION_LAWS), strict=True)
+    for name, law in laws.items()
+]
+
+
+@pytest.mark.parametrize("axis", [-1, 0])
+@pytest.mark.parametrize(("module", "row", "law"), CHECKS, ids=lambda x: getattr(x, "name", ""))
+def test_check_names_the_element_of_the_whole_array(module: Any, row: Function, law: Law, axis: int) -> None:
+    """Violate the condition of one element after another, in blocks along three axes of the batch."""
+    kernel, inverse = getattr(module, row.name), getattr(module, row.name.replace("from_", "to_"), None)
+    found = (inverse or getattr(module, row.name[5:]))(RNG.uniform(-1, 1, (5, 3, 4, module.identity().size)))
+    whole = [*found] if isinstance(found, tuple) else [found]
+    place = [array.name for array in row.arguments].index(law.argument)
+    for index in [(0, 0, 0), (1, 0, 2), (2, 0, 0), (4, 1, 3), (3, 2, 0)]:
+        given = [array.copy() for array in whole]
+        given[place][index] *= 2
+        chunks = [((2, 3), (1, 2), (3, 1), *array.shape[3:]) for array in given]
+        if axis == 0:
+            given = [np.moveaxis(array, (0, 1, 2), (-3, -2, -1)) for array in given]
+            chunks = [(*one[3:], *one[:3]) for one in chunks]
+        with pytest.raises(ValueError, match=f"{law.argument}.* is no") as expected:
+            kernel(*given, axis=axis, check=True)
+        lazy = apply(kernel, *map(da.from_array, given, chunks), axis=axis, check=True)
+        with pytest.raises(ValueError, match="is no") as caught:
+            lazy.compute(scheduler="synchronous")
+        assert str(caught.value) == str(expected.value)
+
+
 def test_sizes_of_chunks_may_be_unknown() -> None:
     v = RNG.uniform(-1, 1, (COUNT, 6))
     lazy = chunked(v, (60, 60), -1)
     chosen = apply(cayley3.pose, lazy[lazy[:, 0] > 0])
     assert np.isnan(chosen.shape[0])
     np.testing.assert_array_equal(chosen.compute(scheduler="synchronous"), cayley3.pose(v[v[:, 0] > 0]))
+    poses = apply(cayley3.from_pose, da.concatenate([chosen, 2 * chosen.blocks[:1]]), check=True)
+    with pytest.raises(ValueError, match=r"^in block \(2, 0, 0\), T\[0\] is no homogeneous matrix"):
+        poses.compute(scheduler="synchronous")
 
 
 V = da.zeros((COUNT, 6), chunks=(CHUNKS, 6))

@@ -15,7 +15,7 @@ from mypy import api
 
 import dualcay
 from derive import about
-from tests.support.kernels import BACKENDS, ORDERS, load
+from tests.support.kernels import BACKENDS, ORDERS, load, said
 
 MODULES = sorted([*(f"cayley{order}" for order in ORDERS), *about.FAMILIES])
 
@@ -170,3 +170,19 @@ def test_imports_inside_the_package_are_relative_or_allowed(path: Path) -> None:
             top = name.partition(".")[0]
             allowed = {"numpy", *sys.stdlib_module_names, *OPTIONAL.get(path.name, ())}
             assert top in allowed, f"{path.name} imports {name}"
+
+
+def test_stale_or_broken_build_is_ignored_with_one_warning(tmp_path: Path) -> None:
+    folder = tmp_path / "dualcay_native"
+    folder.mkdir()
+    (folder / "__init__.py").touch()
+    (folder / "cayley2.py").write_text("PROGRAMS = 'others'\n", encoding="utf-8")
+    (folder / "cayley3.py").write_text("PROGRAMS, DIRECT = 'others', {}\n", encoding="utf-8")
+    assert said(tmp_path, DUALCAY_NATIVE="0") == ("{'numpy'}\n", "")
+    for reason in ("was built of other programs than dualcay.cayley3 holds", "cannot be loaded"):
+        out, warned = said(tmp_path)
+        assert out == "{'numpy'}\n"
+        assert warned.count("RuntimeWarning: ") == 1
+        assert f"dualcay_native.cayley3 {reason}" in warned
+        (folder / "cayley3.py").unlink(missing_ok=True)
+        (folder / "cayley3.abi3.so").write_bytes(b"no library")

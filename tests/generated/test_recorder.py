@@ -53,6 +53,8 @@ ARITHMETIC: dict[str, Callable[[Any, Any], Any]] = {
     "3 * a": lambda a, b: 3 * a,
     "a / b": lambda a, b: a / b,
     "1 / a": lambda a, b: 1 / a,
+    "b / 4": lambda a, b: b / 4,
+    "b / 3": lambda a, b: b / 3,
     "-a": lambda a, b: -a,
 }
 
@@ -62,7 +64,9 @@ ARITHMETIC: dict[str, Callable[[Any, Any], Any]] = {
 def test_arithmetic_matches_numpy(operation: str, dtype: type) -> None:
     a, b = np.array([1.5, -2.0, 0.25], dtype), np.array([3.0, 7.0, -0.5], dtype)
     (found,) = recorded(lambda m, a, b: (ARITHMETIC[operation](a, b),), dtype, a, b)
-    np.testing.assert_array_equal(found, ARITHMETIC[operation](a, b))
+    expected = ARITHMETIC[operation](a, b)
+    np.testing.assert_array_equal(found, expected)
+    np.testing.assert_array_equal(*(np.signbit(z.view(z.real.dtype)) for z in (found, expected)))  # of zeros
     assert found.dtype == dtype
 
 
@@ -169,7 +173,9 @@ def test_equal_operations_are_entered_once() -> None:
     a, b = tape.argument(), tape.argument()
     assert (a + b).index == (b + a).index
     assert (a - b).index != (b - a).index
-    assert len(tape.operations) == 5
+    assert tape.negative(tape.negative(a)).index == a.index
+    assert [(a - -b).index, (a + -b).index] == [(a + b).index, (a - b).index]
+    assert sum(operation is not None for operation in tape.operations) == 5  # with two negatives
 
 
 def test_row_is_not_reused_while_it_is_read(monkeypatch: pytest.MonkeyPatch) -> None:

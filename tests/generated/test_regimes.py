@@ -71,38 +71,8 @@ def test_every_function_is_right_or_not_finite(name: str, table: str, share: int
         assert wrong(chosen(chart, regime, place, share, dtype)) == [], regime
 
 
-OF_TANGENTS = ("transition", "body_transition")
-"""Functions of two vectors that need no pose: they are right wherever T is."""
-
-
-def without_pose(chart: Subject) -> np.ndarray:
-    """Return vectors whose pose overflows or is unknown."""
-    lengths = chart.at([float(np.finfo(float).max) ** power for power in (0.2, 0.253, 0.34, 0.51, 0.8)], np.float64)
-    _, bad = next(REGIMES["not finite"](chart, np.float64))
-    v = np.concatenate([lengths, bad[np.isnan(bad).any(axis=-1)]])
-    return np.asarray(v[~np.isfinite(chart.module.quaternion(v)).all(axis=-1)])
-
-
-@pytest.mark.parametrize("name", CHARTS)
-def test_products_steps_and_exponential_maps_are_not_finite_without_a_pose(name: str) -> None:
-    """Put each vector without a pose in each place where one may stand, alone and in a batch."""
-    chart = subject(name, ("", "rotation")[CHARTS.index(name) % 2])
-    steps = subject("exponential", chart.table.name)
-    for function, row in chart.table.public.items():
-        places = [place for place, array in enumerate(row.arguments) if array.vector or array.name in regimes.STEP]
-        of_steps = any(array.name in regimes.STEP for array in row.arguments)
-        products = len(places) > 1 and row.source not in OF_TANGENTS
-        for place in places if of_steps or products else ():
-            usual = [np.full(array.shape, 0.1) for array in row.arguments]
-            bad = without_pose(chart if row.arguments[place].vector else steps)
-            for v in (bad, *bad[::3]):
-                found = getattr(chart.module, function)(*usual[:place], v, *usual[place + 1 :])
-                for part in found if isinstance(found, tuple) else (found,):
-                    assert not np.isfinite(part.reshape(*v.shape[:-1], -1)).all(axis=-1).any(), (function, place, v)
-
-
 NEXT_AXES = [1, 2, 0, 4, 5, 3]
-PRODUCTS = ("compose", "between", "retract", "body_retract", "local", "body_local")
+PRODUCTS = ("compose", "between", "retract", "body_retract", "local", "body_local", "interpolate")
 
 
 @pytest.mark.parametrize("table", ["", "rotation"])
@@ -110,17 +80,18 @@ PRODUCTS = ("compose", "between", "retract", "body_retract", "local", "body_loca
 def test_products_of_long_vectors_are_those_of_shorter_ones(name: str, table: str) -> None:
     """Expect rotations of vectors of length 1e15 for longer ones, or no finite result.
 
-    Vectors of these lengths have one pose to 1e-15; 1e-12 leaves room for sums of rounding errors.
+    Vectors of these lengths have one pose to 1e-15; 1e-12 leaves room for sums of rounding errors. At the power 0.2506
+    the square of the quaternion of n = 2 overflows beyond the second vector of `interpolate`, but not at the first.
     """
     chart, steps = subject(name, table), subject("exponential", table)
-    powers = (0.06, 0.1, 0.2, 0.253, 0.3, 0.34, 0.45, 0.51, 0.8)
+    powers = (0.06, 0.1, 0.2, 0.2506, 0.253, 0.3, 0.34, 0.45, 0.51, 0.8)
     long = chart.at([float(np.finfo(float).max) ** power for power in powers], np.float64)
     short = np.tile(chart.at([1e15], np.float64), (len(powers), 1))
     for function, crowd in itertools.product(PRODUCTS, (1, 3)):
-        made = steps if "local" in function else chart
+        made, time = steps if "local" in function else chart, [1.7] * (function == "interpolate")
         for turned in (False, True) if "retract" not in function else (False,):  # two long vectors, or a usual one
             pairs = ((v, v[:, NEXT_AXES[: v.shape[1]]] if turned else np.full_like(v, 0.1)) for v in (long, short))
-            found, wanted = (getattr(chart.module, function)(*np.tile(pair, (1, crowd, 1))) for pair in pairs)
+            found, wanted = (getattr(chart.module, function)(*np.tile(pair, (1, crowd, 1)), *time) for pair in pairs)
             finite = np.isfinite(found).all(axis=-1) & np.isfinite(wanted).all(axis=-1)
             one, other = (made.module.tensor(w).reshape(len(w), -1)[:, :9] for w in (found, wanted))
             assert not (abs(one - other).max(axis=-1)[finite] > 1e-12).any(), (function, turned, found, wanted)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import importlib
 import importlib.util
 import os
+import subprocess
 import sys
 from collections.abc import Iterable
 from pathlib import Path
@@ -13,6 +14,7 @@ from typing import Any
 
 import pytest
 
+import dualcay
 from tests.support import packages
 
 ORDERS = (1, 2, 3, 4, 5, 8)
@@ -53,3 +55,19 @@ def write(orders: Iterable[int], folder: Path) -> None:
     missing = sorted(set(orders) - set(ORDERS))
     if missing:
         packages.write(missing, "numpy", folder)
+
+
+CALL = """
+import dualcay, numpy
+dualcay.cayley3.pose(numpy.zeros(6))
+dualcay.rotation.cayley3.tensor(numpy.zeros(3))
+print({runs for kind in (dualcay, dualcay.rotation) for runs in kind.backend().values()})
+"""
+
+
+def said(site: Path, **environment: str) -> tuple[str, str]:
+    """Return the output and the warnings of code in a fresh process."""
+    paths = os.pathsep.join([str(site), str(Path(dualcay.__file__).parents[1])])
+    env = {**os.environ, "PYTHONPATH": paths, "DUALCAY_NATIVE": "", **environment}
+    done = subprocess.run([sys.executable, "-c", CALL], env=env, capture_output=True, text=True, check=True)
+    return done.stdout, done.stderr

@@ -97,9 +97,10 @@ def test_types_are_kept(array_api, library, dtype):
 
 @LIBRARY
 def test_integers_become_floating_point_numbers(array_api, library):
-    got = Through(array_api(2), library).pose(np.array([[0, 1, 0, 2, 0, 0]]))
-    assert got.dtype.kind == "f"
-    np.testing.assert_allclose(got, load(2).pose([[0.0, 1, 0, 2, 0, 0]]), rtol=1e-6, atol=1e-6)
+    for dtype in (int, np.uint8):
+        got = Through(array_api(2), library).pose(np.array([[0, 1, 0, 2, 0, 0]], dtype))
+        assert got.dtype.kind == "f"
+        np.testing.assert_allclose(got, load(2).pose([[0.0, 1, 0, 2, 0, 0]]), rtol=1e-6, atol=1e-6)
 
 
 @LIBRARY

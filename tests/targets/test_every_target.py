@@ -56,6 +56,19 @@ def test_dir_of_a_module_lists_its_public_names(package, target):
 
 
 @pytest.mark.parametrize("target", ["numba", "array-api"])
+def test_a_chart_that_is_not_there_is_no_attribute_and_its_command_is_named(package, target):
+    for place in (package(target), f"{package(target)}.rotation"):
+        home = importlib.import_module(place)
+        for name, option in (("cayley9", "-n 9"), ("sine8", "--family sine8")):
+            assert not hasattr(home, name)
+            command = rf"dualcay generate {option} --target {target} -o FOLDER$"
+            with pytest.raises(AttributeError, match=command):
+                getattr(home, name)
+            with pytest.raises(ImportError, match=command):
+                exec(f"from {place} import {name}")
+
+
+@pytest.mark.parametrize("target", ["numba", "array-api"])
 def test_principal_refuses_complex_vectors_of_one_branch_charts(package, target):
     module = importlib.import_module(f"{package(target)}.cayley1")
     assert not module.CHART.returns

@@ -6,9 +6,7 @@ One distribution contains the functions of poses and of rotations.
 from __future__ import annotations
 
 import importlib
-import os
 import re
-import subprocess
 import sys
 import threading
 import time
@@ -25,7 +23,7 @@ from derive.codegen.signatures import POSES, PUBLIC, ROTATIONS
 from derive.codegen.targets import TARGETS
 from derive.codegen.validation import NUMPY, replay
 from derive.maps import Cayley, family
-from tests.support.kernels import load
+from tests.support.kernels import load, said
 from tests.support.native import PLAIN, build, found, require_one_in_all_layouts
 from tests.support.rotation_arguments import arguments
 from tests.support.signatures import SIGNATURES, components_first, inputs
@@ -33,7 +31,6 @@ from tests.support.signatures import SIGNATURES, components_first, inputs
 pytestmark = [pytest.mark.compiler, pytest.mark.thorough]
 
 CHARTS = (Cayley(2), Cayley(3), family("exponential"))
-ROOT = Path(dualcay.__file__).parent
 NAMES = sorted(n for n in PUBLIC.keys() & SIGNATURES.keys() if all(array.shape for array in PUBLIC[n].arguments))
 OF_ROTATIONS = sorted(
     name
@@ -247,37 +244,6 @@ def test_other_threads_run_during_a_call(native):
     assert during > 10
 
 
-CALL = """
-import dualcay, numpy
-dualcay.cayley3.pose(numpy.zeros(6))
-dualcay.rotation.cayley3.tensor(numpy.zeros(3))
-print({runs for kind in (dualcay, dualcay.rotation) for runs in kind.backend().values()})
-"""
-
-
-def said(site: Path, **environment: str) -> tuple[str, str]:
-    """Return the output and the warnings of code in a fresh process."""
-    paths = os.pathsep.join([str(site), str(ROOT.parent)])
-    env = {**os.environ, "PYTHONPATH": paths, "DUALCAY_NATIVE": "", **environment}
-    done = subprocess.run([sys.executable, "-c", CALL], env=env, capture_output=True, text=True, check=True)
-    return done.stdout, done.stderr
-
-
 def test_environment_variable_disables_compiled_functions(site):
     assert said(site, DUALCAY_NATIVE="0") == ("{'numpy'}\n", "")
     assert "native in" in said(site)[0]
-
-
-def test_stale_or_broken_build_is_ignored_with_one_warning(tmp_path):
-    folder = tmp_path / "dualcay_native"
-    folder.mkdir()
-    (folder / "__init__.py").touch()
-    (folder / "cayley2.py").write_text("PROGRAMS = 'others'\n", encoding="utf-8")
-    (folder / "cayley3.py").write_text("PROGRAMS = 'others'\n", encoding="utf-8")
-    for reason in ("was built of other programs than dualcay.cayley3 holds", "cannot be loaded"):
-        out, warned = said(tmp_path)
-        assert out == "{'numpy'}\n"
-        assert warned.count("RuntimeWarning: ") == 1
-        assert f"dualcay_native.cayley3 {reason}" in warned
-        (folder / "cayley3.py").unlink(missing_ok=True)
-        (folder / "cayley3.abi3.so").write_bytes(b"no library")

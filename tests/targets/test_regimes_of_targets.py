@@ -153,6 +153,19 @@ def test_steps_beside_whole_turns_have_the_pose(functions_of: Any, target: str) 
     assert max(whole_turns.cases(Subject(module, kernels.oracle), np.float64, 3))[0] <= 1
 
 
+@pytest.mark.parametrize(
+    "target", ["numpy", "jax", "numba", pytest.param("c", marks=[pytest.mark.compiler, pytest.mark.thorough])]
+)
+def test_an_axis_of_zeros_gives_nan(functions_of: Any, target: str) -> None:
+    for table, name, parts in (("", "from_screw", 6), ("rotation", "from_angle_axis", 3)):
+        function = functions_of(target, table, "lambert", np.float64)(name)
+        angles, axes = np.repeat([0, 0.5, 2.0], 2), np.tile(np.eye(parts)[:2], (3, 1))
+        axes[::2, 0] = 0
+        found = function(np.c_[angles, angles] if parts == 6 else angles, axes)
+        assert np.array_equal(np.isfinite(found), np.tile([[False], [True]], (3, parts))), name
+        assert np.isnan(found[::2]).all(), name
+
+
 def test_a_target_that_takes_nan_for_zero_is_seen() -> None:
     """Control: the law refuses an angle that is finite for NaN."""
     known = subject("lambert", "rotation")
