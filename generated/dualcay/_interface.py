@@ -356,7 +356,7 @@ class PoseKernels(Kernels):
         Examples
         --------
         >>> angle, line = cayley2.to_screw([0, 0, 0.5, 1, 0, 0.25])
-        >>> angle.round(3), line.round(3)
+        >>> angle.round(3), line.round(3) + 0.0
         (array([1.855, 0.8  ]), array([0., 0., 1., 2., 0., 0.]))
         """
         screw = call(self._chart, "to_screw", axis, None, v)

@@ -14,11 +14,12 @@ from pathlib import Path
 
 import pytest
 
+from derive.claims.result import Status
+from derive.claims.run import check
 from derive.codegen import ValidationFailed, generate_charts
 from derive.codegen.build import GEOMETRY, build
 from derive.codegen.validation import compiled
 from derive.maps import Cayley
-from derive.papers import Status, check
 from derive.workers import SlowError, cores, mapping, run
 from tests.support.command import ROOT
 from tests.support.counting import Counting, Dying
@@ -147,7 +148,7 @@ def busy() -> Iterator[None]:
 
 DECIDE = """
 import importlib, time
-module = importlib.import_module("derive.papers.decide")
+module = importlib.import_module("derive.claims.decide")
 def decided(*given, early):
     {}
     return of(*given, early=early)

@@ -119,7 +119,6 @@ NOWHERE = "/proc/self/fd/no/file.svg"  # root too can write nothing there
 @pytest.mark.parametrize(
     ("command", "work"),
     [("generate -n 2 -o", "derive.codegen.build.prove"), ("verify -o", "derive.cli.verify._report"),
-     ("verify --certificates", "derive.cli.verify._report"),
      ("verify --claim 1==1 -o", "derive.cli.verify.check_sheets"),
      ("compare -n 2 --plot", "derive.pages.comparison.compared"),
      ("show --what sheet -o", "derive.pages.sheet_files.page")],

@@ -18,7 +18,12 @@ def write(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Callable[
     monkeypatch.setattr(templates, "folder", lambda: tmp_path)
     templates.environment.cache_clear()
     templates.holes.cache_clear()
-    yield lambda name, text: (tmp_path / name).write_text(text, encoding="utf-8")
+
+    def written(name: str, text: str) -> None:
+        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / name).write_text(text, encoding="utf-8")
+
+    yield written
     templates.environment.cache_clear()
     templates.holes.cache_clear()
 
@@ -62,12 +67,12 @@ def test_computed_template_name_is_refused(write):
 
 
 def test_file_without_holes_is_copied_beneath_the_header(write):
-    write("plain", "x = 1\n")
-    write("filled.j2", "{{ header }}\nx = {{ n }}\n")
-    assert generated("plain", "# made") == "# made\nx = 1\n"
-    assert generated("filled", "# made", n=2) == "# made\nx = 2\n"
-    with pytest.raises(TypeError, match=r"templates/plain has no holes, got data for n$"):
-        generated("plain", "# made", n=2)
+    write("c/runtime/plain", "x = 1\n")
+    write("c/filled.j2", "{{ header }}\nx = {{ n }}\n")
+    assert generated("c/plain", "# made") == "# made\nx = 1\n"
+    assert generated("c/filled", "# made", n=2) == "# made\nx = 2\n"
+    with pytest.raises(TypeError, match=r"templates/c/runtime/plain has no holes, got data for n$"):
+        generated("c/plain", "# made", n=2)
 
 
 def test_templates_have_holes():
