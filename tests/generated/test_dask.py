@@ -173,9 +173,9 @@ def client() -> Iterator[distributed.Client]:
         yield client
 
 
-def held(block: np.ndarray, first: float, gate: Path) -> np.ndarray:
-    """Return the block that begins with a number; others when a file exists."""
-    until(lambda: block[0, 0] == first or gate.exists())
+def held(block: np.ndarray, last: float, gate: Path) -> np.ndarray:
+    """Return a block; the one that begins with a number waits for a file, in one worker, while the other goes on."""
+    until(lambda: block[0, 0] != last or gate.exists())
     return block
 
 
@@ -193,7 +193,7 @@ def test_two_processes_give_the_same_bits(client: distributed.Client) -> None:
 @pytest.mark.thorough
 def test_a_worker_killed_midway_changes_nothing(client: distributed.Client, tmp_path: Path) -> None:
     v = RNG.uniform(-1, 1, (4000, 6))
-    given = da.from_array(v, chunks=(100, 6)).map_blocks(held, first=v[0, 0], gate=tmp_path / "gate", meta=v[:0])
+    given = da.from_array(v, chunks=(100, 6)).map_blocks(held, last=v[-100, 0], gate=tmp_path / "gate", meta=v[:0])
     pose = client.persist(apply(exponential.pose, given))
     blocks = distributed.futures_of(pose)
     distributed.wait(blocks, return_when="FIRST_COMPLETED")
