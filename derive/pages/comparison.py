@@ -18,7 +18,6 @@ from ..maps import PhiError
 from ..maps.chart import Chart
 from ..output.listing import Listing
 from ..output.progress import Step, bar
-from .measuring import measure
 from .stretch import Stretch, stretch
 
 ANGLES = {"π/2": math.pi / 2, "π": math.pi, "3π/2": 3 * math.pi / 2}
@@ -78,10 +77,8 @@ class Compared:
     def measured(self) -> Mapping[str, Any] | None:
         """Measured ``errors`` by function and angle, and ``nanoseconds`` by function and number of poses, if known.
 
-        The command ``python -m benchmarks.charts`` writes those of the catalogue in a checkout; a φ is measured here.
+        The command ``python -m benchmarks.charts`` writes those of the catalogue in a checkout.
         """
-        if self.chart.selection[0] == "--phi":
-            return None if self.refusal else measure(self.chart, ANGLES, MEASURED, TIMED)
         root = about.checkout()
         return json.loads((root / MEASUREMENTS).read_text(encoding="utf-8")).get(self.chart.name) if root else None
 
@@ -156,5 +153,5 @@ def compared(chosen: Sequence[Chart], step: Step) -> list[Compared]:
     for chart in chosen:
         step(chart.name)
         rows.append(Compared(chart))
-        _ = rows[-1].operations, rows[-1].measured  # found now, while progress is shown
+        _ = rows[-1].operations  # counted now, while progress is shown
     return rows

@@ -89,9 +89,7 @@ def test_figures_of_some_charts():
     assert found["lambert"]["range"] == 1
     assert found["phi"]["singular_angles"] == pytest.approx([6.283185307, 6.32455532])
     assert found["cayley3"]["operations"]["pose"] < found["phi"]["operations"]["pose"]
-    measured = found["phi"]["measured"]
-    assert all(0 < error < 16 for errors in measured["errors"].values() for error in errors.values())
-    assert list(measured["nanoseconds"]) == list(TIMED)
+    assert found["phi"]["measured"] is None
     assert found["lambert"]["measured"] == json.loads((ROOT / MEASUREMENTS).read_text(encoding="utf-8"))["lambert"]
 
 
