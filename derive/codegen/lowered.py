@@ -18,7 +18,7 @@ from .signatures import POSES, ROTATIONS
 
 @cache
 def geometry(table: Table = POSES) -> Mapping[str, Program]:
-    """Return a table's programs by name, with called geometry programs, but not scalar programs, written out."""
+    """Return the geometry programs of a table by name. Geometry programs that they call are written out."""
     return {name: written_out(row.traced()) for name, row in table.kernels.items()}
 
 

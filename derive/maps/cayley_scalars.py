@@ -121,7 +121,7 @@ class CayleyScalars:
 
     @cached_property
     def _shrinking(self) -> Coefficient:
-        """Factor ``1/(1 + x)``; NaN where ``(1 + x)^CHAIN_POWER`` overflows, since second slopes are wrong there."""
+        """Factor ``1/(1 + x)``, NaN where ``(1 + x)^CHAIN_POWER`` overflows: second slopes would be wrong there."""
         square = self.m.name("x2", self._beyond_one * self._beyond_one)
         fourth = self.m.name("x4", square * square)
         return self.m.name("u", self.m.div(fourth, fourth) / self._beyond_one)

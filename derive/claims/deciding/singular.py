@@ -28,7 +28,7 @@ ABSENT = (ArithmeticError, BlurredError, TypeError, AttributeError, ValueError)
 
 @dataclass(frozen=True)
 class Singular:
-    """Part of a formula that is singular where a number vanishes; `size` gives the number from the part's value."""
+    """Part of a formula without a value where some number is 0, such as a divisor; `size` returns this number."""
 
     part: Term
     size: Callable[[Any], Any]

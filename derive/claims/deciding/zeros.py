@@ -54,7 +54,7 @@ class Line:
 
     @property
     def shown(self) -> str:
-        """Name of t, for labels."""
+        """Name of the line's parameter t in labels: the letter itself, or its magnitude, or t along the letter."""
         part = Re(self.letter) if kind(self.letter).dual else self.letter
         if self.radial or kind(self.letter).size == 1:
             return written(norm(part) if self.radial else part)

@@ -126,7 +126,7 @@ class PythonTarget(Target):
         return printed_scalars(facts.chart, facts.lowered.poses.scalars)
 
     def rotations(self, facts: Facts) -> Data:
-        """Return data for the template of a rotation module, in addition to `described`."""
+        """Return further data, beside `described`, for the template of a rotation module."""
         return {}
 
     def module(self, facts: Facts) -> Data:

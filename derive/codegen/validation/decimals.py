@@ -120,7 +120,7 @@ _power_of_two = lru_cache(maxsize=1024)(partial(NUMBERS.power, TWO))
 
 
 def _binary(value: decimal.Decimal) -> Any:
-    """Return a decimal number as an mpmath number, for which ``tan`` and other functions exist."""
+    """Return the mpmath number of a decimal number; mpmath has ``tan`` and other functions."""
     if not value.is_finite():
         return mpmath.mpf(float(value))
     places = EXACT_DIGITS - value.adjusted()  # shift that makes the number an integer with all its digits

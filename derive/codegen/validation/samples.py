@@ -209,7 +209,7 @@ def _steps_to_pole(chart: Vectors, screw: Screw) -> Iterator[Drawn]:
 
 
 def _undecided(chart: Vectors, table: Table) -> Iterator[Drawn]:
-    """Yield vectors with s = 0 or w = 0 exactly, where v or its dual part, in rotations v alone, gives the axis."""
+    """Yield cases at which v, or its dual part, leaves the axis open: s = 0 or w = 0 exactly; in rotations v alone."""
     half = mpmath.mpf(1) / 2
     sides = (half, -half) if table is POSES else (half,)
     for scale, direction in itertools.product((mpmath.mpf(1), half), LATTICE):

@@ -94,7 +94,7 @@ class Programs:
 
 
 class Array(Element):
-    """Element of a ring that has a shape, as the results of scalar programs that are not constant."""
+    """Ring element with a `shape`, which the rules take for a moving number."""
 
     __slots__ = ()
     shape = ()
