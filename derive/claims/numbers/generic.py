@@ -93,7 +93,7 @@ class Generic:
     # ---- values for the table of quantities, by the name of a symbol ------------------------------------------------
 
     def number(self, name: str, i: int = 0, at: Any = None, constant: bool = False) -> Any:
-        """Return coordinate i of a symbol as a free number, with dual part and rates if required; `at` fixes its value."""
+        """Return coordinate i of a symbol as a free number, with dual part and rates if needed; `at` fixes it."""
 
         def plain(part: str) -> Any:
             value = at if at is not None and not part else self.field.symbol(f"{name}{i}{part}")
