@@ -43,8 +43,11 @@ def convert(v: ArrayLike, source: Any, target: Any, *, axis: int = -1, out: NDAr
     for name, module in (("source", source), ("target", target)):
         if not hasattr(module, "from_exponential"):
             raise TypeError(f"{name} must be a kernel module, as cayley3 is, got {module!r}")
-    w: NDArray[Any] = target.from_exponential(source.to_exponential(v, axis=axis), axis=axis, out=out)
-    return w
+    w = target.from_exponential(source.to_exponential(v, axis=axis), axis=axis)
+    # an angle is rounded beside a whole turn; the quaternion still tells the rest, a step from w
+    rest = target.local(target.from_quaternion(source.quaternion(v, axis=axis), axis=axis), w, axis=axis)
+    found: NDArray[Any] = target.retract(w, rest, axis=axis, out=out)
+    return found
 
 
 def convert_jacobian(v: ArrayLike, source: Any, target: Any, *, axis: int = -1, out: NDArray[Any] | None = None) -> NDArray[Any]:

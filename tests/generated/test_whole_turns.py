@@ -108,6 +108,28 @@ def test_vectors_beside_whole_turns_have_the_pose_or_are_not_finite(name: str) -
     assert max(cases(subject(name), np.float64))[0] <= 1, max(cases(subject(name), np.float64))
 
 
+POLES = {
+    k: [name for name in CHARTS if k in turns_of(subject(name)) and abs(subject(name).edge - 2 * np.pi * k) < 0.1]
+    for k in (1, 2)
+}
+"""Charts whose vectors are infinite at k whole turns: these hold every pose beside the turn to all digits."""
+
+
+@pytest.mark.parametrize(("dtype", "distances"), [(np.float64, DISTANCES[:7]), (np.float32, DISTANCES[:3])])
+@pytest.mark.parametrize("turns", POLES)
+def test_convert_loses_nothing_between_charts_infinite_at_a_whole_turn(turns: int, dtype: Any, distances: Any) -> None:
+    """Translate across the axis by 4: rounding of the angle would move the pose by eps/e."""
+    for source, target in itertools.product(map(subject, POLES[turns]), repeat=2):
+        for e, count in itertools.product(distances, (1, 30)):
+            pose = dualcay.exponential.pose(np.array([0.6 * e, 0, 0.8 * e, 0, 0, 0]))
+            pose[:3, 3] = 1, 2, 3
+            v = np.tile(source.module.from_pose(pose, turns).astype(dtype), (count, 1))
+            found = dualcay.convert(v if count > 1 else v[0], source.module, target.module)
+            off = target.module.pose(found.astype(float)) - source.module.pose(v.astype(float))
+            error = np.nan_to_num(abs(off), nan=0).max()  # a vector that is not finite is allowed
+            assert error < GATE * np.finfo(dtype).eps * 4, (source.module, target.module, e, count)
+
+
 @pytest.mark.parametrize("name", CHARTS)
 def test_batches_in_single_precision_are_as_exact(name: str) -> None:
     """Rows of a batch run in float32; its steps have the axis of v to rounding alone."""

@@ -142,6 +142,9 @@ def _doubled_shadow(module: Any) -> Any:
 
     return SimpleNamespace(
         from_exponential=from_exponential,
+        from_quaternion=lambda q, axis=-1: 2 * module.shadow(module.from_quaternion(q, axis=axis), axis=axis),
+        local=lambda w2, w1, axis=-1: module.local(w2 / 2, w1 / 2, axis=axis),
+        retract=lambda w, delta, axis=-1, **_: 2 * module.retract(w / 2, delta, axis=axis),
         twist=lambda w, rate, axis=-1: module.twist(w / 2, rate / 2, axis=axis),
         rate=lambda w, omega, axis=-1: 2 * module.rate(w / 2, omega, axis=axis),
     )
