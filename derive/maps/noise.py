@@ -39,4 +39,4 @@ def at_turn(sine: Coefficient, cosine: Coefficient, r: Coefficient, m: Arithmeti
 
 def near_turn(fi: Coefficient, ai: Coefficient, m: Arithmetic) -> Any:
     """Return whether f_i is so large, beside ``a_i = 2 φ′``, that α is near a whole turn other than 0."""
-    return m.name("near", m.less(2 * ai, m.abs(fi)))
+    return m.name("turning", m.less(2 * ai, m.abs(fi)))

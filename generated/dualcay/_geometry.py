@@ -1255,13 +1255,13 @@ def retract(m: Any, c: Any, v: Components, delta: Components) -> Result:
     fen = fe / m.where(adrift, 0, 1)
     x = w1 * w1 + w2 * w2 + w3 * w3
     hi, ai = c.inverse_at(m, x, fen, known)
-    near = 2 * ai < m.abs(fen)
-    hn = m.where(near, hi, 0)
+    turning = 2 * ai < m.abs(fen)
+    hn = m.where(turning, hi, 0)
     along = (hi - hn) * (w1 * shift1 + w2 * shift2 + w3 * shift3)
     hvr1 = vr1 * hn
     hvr2 = vr2 * hn
     hvr3 = vr3 * hn
-    an = m.where(near, ai, fen)
+    an = m.where(turning, ai, fen)
     return (
         w1, w2, w3, shift1 * an - vr1 + (w2 * hvr3 - w3 * hvr2) + w1 * along,
         shift2 * an - vr2 + (w3 * hvr1 - w1 * hvr3) + w2 * along,
@@ -1305,13 +1305,13 @@ def retract_jacobians(m: Any, c: Any, v: Components, delta: Components) -> Resul
     fen = fe / m.where(adrift, 0, 1)
     x = w1 * w1 + w2 * w2 + w3 * w3
     fi, hi, ai, fiy, hiy = c.tangent_inv_at(m, x, fen, known)
-    near = 2 * ai < m.abs(fi)
-    hn = m.where(near, hi, 0)
+    turning = 2 * ai < m.abs(fi)
+    hn = m.where(turning, hi, 0)
     along = (hi - hn) * (w1 * shift1 + w2 * shift2 + w3 * shift3)
     hvr1 = vr1 * hn
     hvr2 = vr2 * hn
     hvr3 = vr3 * hn
-    an = m.where(near, ai, fi)
+    an = m.where(turning, ai, fi)
     back = (
         tangent_inverse_at(fi, hi, fiy, hiy, (w1, w2, w3, shift1 * an - vr1 + (w2 * hvr3 - w3 * hvr2) + w1 * along,
         shift2 * an - vr2 + (w3 * hvr1 - w1 * hvr3) + w2 * along, shift3 * an - vr3 + (w1 * hvr2 - w2 * hvr1) + w3
@@ -1527,13 +1527,13 @@ def interpolate(m: Any, c: Any, v1: Components, v2: Components, time: Components
     fen = fe / m.where(adrift, 0, 1)
     xw = v_1 * v_1 + v_2 * v_2 + v_3 * v_3
     hi, ai = c.inverse_at(m, xw, fen, knownn)
-    near = 2 * ai < m.abs(fen)
-    hn = m.where(near, hi, 0)
+    turning = 2 * ai < m.abs(fen)
+    hn = m.where(turning, hi, 0)
     along = (hi - hn) * (v_1 * shift1 + v_2 * shift2 + v_3 * shift3)
     hvr1 = vr1 * hn
     hvr2 = vr2 * hn
     hvr3 = vr3 * hn
-    an = m.where(near, ai, fen)
+    an = m.where(turning, ai, fen)
     return (
         v_1, v_2, v_3, shift1 * an - vr1 + (v_2 * hvr3 - v_3 * hvr2) + v_1 * along,
         shift2 * an - vr2 + (v_3 * hvr1 - v_1 * hvr3) + v_2 * along,

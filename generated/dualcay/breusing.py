@@ -385,7 +385,7 @@ CHART = Chart(
         _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _coefficient_of, _followed,
     ),
     kernels=SHARED,
-    programs="0a9e4e0da42ca03d",
+    programs="e831b43f945ff76f",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -211,7 +211,7 @@ CHART = Chart(
         _unfolded, _reached, _coefficient, _coefficient_of, _followed,
     ),
     kernels=SHARED,
-    programs="c8317cbef933408e",
+    programs="fcd2579264712ae1",
 )
 
 KERNELS = PoseKernels(CHART)

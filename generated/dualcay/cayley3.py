@@ -138,11 +138,11 @@ def _inverse_scalars(m: Any, x: Any, fe: Any) -> Result:
 def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     x1 = 1 + x
     ai = x1 / 3
-    near = 2 * ai < m.abs(fe)
+    turning = 2 * ai < m.abs(fe)
     p = 1 - 3 * x
     q = 3 - x
-    pq = m.where(near, p, q)
-    iq = m.where(near, fe, 1) / pq
+    pq = m.where(turning, p, q)
+    iq = m.where(turning, fe, 1) / pq
     d = 11 - x
     diq = d * iq
     hi = diq / 3
@@ -153,11 +153,11 @@ def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
 def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     x1 = 1 + x
     ai = x1 / 3
-    near = 2 * ai < m.abs(fe)
+    turning = 2 * ai < m.abs(fe)
     p = 1 - 3 * x
     q = 3 - x
-    pq = m.where(near, p, q)
-    iq = m.where(near, fe, 1) / pq
+    pq = m.where(turning, p, q)
+    iq = m.where(turning, fe, 1) / pq
     fi = p * iq
     d = 11 - x
     diq = d * iq
@@ -374,7 +374,7 @@ CHART = Chart(
         _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _coefficient_of, _followed,
     ),
     kernels=SHARED,
-    programs="8f82d7a80b47ae74",
+    programs="187a605dee02c18f",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -146,11 +146,11 @@ def _inverse_scalars(m: Any, x: Any, fe: Any) -> Result:
 def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     x1 = 1 + x
     ai = x1 / 4
-    near = 2 * ai < m.abs(fe)
+    turning = 2 * ai < m.abs(fe)
     p = (x - 6) * x + 1
     q = 4 - 4 * x
-    pq = m.where(near, p, q)
-    iq = m.where(near, fe, 1) / pq
+    pq = m.where(turning, p, q)
+    iq = m.where(turning, fe, 1) / pq
     d = 24 - 8 * x
     diq = d * iq
     hi = diq / 4
@@ -161,11 +161,11 @@ def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
 def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     x1 = 1 + x
     ai = x1 / 4
-    near = 2 * ai < m.abs(fe)
+    turning = 2 * ai < m.abs(fe)
     p = (x - 6) * x + 1
     q = 4 - 4 * x
-    pq = m.where(near, p, q)
-    iq = m.where(near, fe, 1) / pq
+    pq = m.where(turning, p, q)
+    iq = m.where(turning, fe, 1) / pq
     fi = p * iq
     x_by_8 = 8 * x
     d = 24 - x_by_8
@@ -397,7 +397,7 @@ CHART = Chart(
         _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _coefficient_of, _followed,
     ),
     kernels=SHARED,
-    programs="6570a13cb5af4bc1",
+    programs="fa9188d9d9c9c7f7",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -161,11 +161,11 @@ def _inverse_scalars(m: Any, x: Any, fe: Any) -> Result:
 def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     x1 = 1 + x
     ai = x1 / 5
-    near = 2 * ai < m.abs(fe)
+    turning = 2 * ai < m.abs(fe)
     p = (5 * x - 10) * x + 1
     q = (x - 10) * x + 5
-    pq = m.where(near, p, q)
-    iq = m.where(near, fe, 1) / pq
+    pq = m.where(turning, p, q)
+    iq = m.where(turning, fe, 1) / pq
     d = (x - 34) * x + 45
     diq = d * iq
     hi = diq / 5
@@ -176,11 +176,11 @@ def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
 def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     x1 = 1 + x
     ai = x1 / 5
-    near = 2 * ai < m.abs(fe)
+    turning = 2 * ai < m.abs(fe)
     p = (5 * x - 10) * x + 1
     q = (x - 10) * x + 5
-    pq = m.where(near, p, q)
-    iq = m.where(near, fe, 1) / pq
+    pq = m.where(turning, p, q)
+    iq = m.where(turning, fe, 1) / pq
     fi, _, hi, _, fiy, _, hiy = _fi_to_hiy(m, p, iq, x)
     return fi, hi, ai, fiy, hiy
 
@@ -391,7 +391,7 @@ CHART = Chart(
         _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _coefficient_of, _followed,
     ),
     kernels=SHARED,
-    programs="2f6ccec6f0721154",
+    programs="043763b7d6f168f0",
 )
 
 KERNELS = PoseKernels(CHART)

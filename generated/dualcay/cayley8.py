@@ -161,11 +161,11 @@ def _inverse_scalars(m: Any, x: Any, fe: Any) -> Result:
 def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     x1 = 1 + x
     ai = x1 / 8
-    near = 2 * ai < m.abs(fe)
+    turning = 2 * ai < m.abs(fe)
     p = (((x - 28) * x + 70) * x - 28) * x + 1
     q = ((56 - 8 * x) * x - 56) * x + 8
-    pq = m.where(near, p, q)
-    iq = m.where(near, fe, 1) / pq
+    pq = m.where(turning, p, q)
+    iq = m.where(turning, fe, 1) / pq
     d = ((272 - 16 * x) * x - 560) * x + 176
     diq = d * iq
     hi = diq / 8
@@ -176,11 +176,11 @@ def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
 def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     x1 = 1 + x
     ai = x1 / 8
-    near = 2 * ai < m.abs(fe)
+    turning = 2 * ai < m.abs(fe)
     p = (((x - 28) * x + 70) * x - 28) * x + 1
     q = ((56 - 8 * x) * x - 56) * x + 8
-    pq = m.where(near, p, q)
-    iq = m.where(near, fe, 1) / pq
+    pq = m.where(turning, p, q)
+    iq = m.where(turning, fe, 1) / pq
     dd = (544 - 48 * x) * x - 560
     fi, _, hi, _, fiy, _, hiy = _fi_to_hiy(m, p, iq, x, dd)
     return fi, hi, ai, fiy, hiy
@@ -414,7 +414,7 @@ CHART = Chart(
         _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _coefficient_of, _followed,
     ),
     kernels=SHARED,
-    programs="ec44f24f2641df9e",
+    programs="7bbc93cb259ff177",
 )
 
 KERNELS = PoseKernels(CHART)

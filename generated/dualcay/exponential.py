@@ -192,22 +192,22 @@ def _inverse_scalars(m: Any, x: Any, fe: Any) -> Result:
 
 # hi of T^-1 at a known angle, and for ai fi + x hi = 2 phi'
 def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
-    near = 4 < m.abs(fe)
+    turning = 4 < m.abs(fe)
     nearby, _, _, _, C3, C1, CC1, C0, xx, alpha = _nearby_to_alpha(m, x)
     _, _, sine, versine, lost, _, h = _C01_to_h(m, C0, CC1, C1, C3, alpha, xx, nearby)
     g = m.where(nearby, CC1 / 2, (versine + lost * sine) / xx)
-    gn = m.where(near, 2 / (x + fe * fe), g)
+    gn = m.where(turning, 2 / (x + fe * fe), g)
     hi = gn - fe * h
     return hi, 2
 
 
 # fi, hi, ai of T^-1 at a known angle, with slopes fiy = 2 dfi/dx, hiy
 def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
-    near = 4 < m.abs(fe)
+    turning = 4 < m.abs(fe)
     nearby, z, _, C5, C3, C1, CC1, C0, xx, alpha = _nearby_to_alpha(m, x)
     C01, C2, sine, versine, lost, f, h = _C01_to_h(m, C0, CC1, C1, C3, alpha, xx, nearby)
     g, _, _, c5, c4 = _g_to_c4(m, lost, sine, versine, CC1, xx, nearby, C3, C2, z, C01, C5, C1)
-    gn = m.where(near, 2 / (x + fe * fe), g)
+    gn = m.where(turning, 2 / (x + fe * fe), g)
     hi = gn - fe * h
     fiy = -(h / gn)
     gy = f * h - gn * gn
@@ -420,7 +420,7 @@ CHART = Chart(
         _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _coefficient_of, _followed,
     ),
     kernels=SHARED,
-    programs="0cad5152f10d55fe",
+    programs="68724f2147d8fff9",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -340,7 +340,7 @@ CHART = Chart(
         _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _coefficient_of, _followed,
     ),
     kernels=SHARED,
-    programs="096c413533fca42f",
+    programs="fc191ee2f650c8d8",
     ends=True,
 )
 

@@ -259,7 +259,7 @@ CHART = Chart(
         _unfolded, _reached, _coefficient, _coefficient_of, _followed,
     ),
     kernels=SHARED,
-    programs="5630ba1d7c5f5a47",
+    programs="5d8bd26bafc65dd6",
     ends=True,
 )
 

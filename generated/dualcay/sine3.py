@@ -384,7 +384,7 @@ CHART = Chart(
         _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _coefficient_of, _followed,
     ),
     kernels=SHARED,
-    programs="c2c6478a27c86ca0",
+    programs="7d8beafd09fa5f5b",
     ends=True,
 )
 

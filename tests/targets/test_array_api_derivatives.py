@@ -65,7 +65,12 @@ def test_altered_slopes_have_errors(package, change, monkeypatch):
         return [[change(slope, given[0]) for slope in row] for row in rule(m, c, found, given)]
 
     monkeypatch.setitem(rules, "quaternion_scalars", altered)
-    found = above_gate(package, ("cayley2", "quaternion", POSES, np.float64), by_jax)
+    compiled = importlib.import_module(f"{package}._jax").ruled
+    compiled.cache_clear()  # calls compiled with the rule of the package
+    try:
+        found = above_gate(package, ("cayley2", "quaternion", POSES, np.float64), by_jax)
+    finally:
+        compiled.cache_clear()
     assert {mode for _, mode in found} == {
         "forward", "reverse", "forward, forward", "forward, reverse", "reverse, forward", "reverse, reverse",
     }  # fmt: skip

@@ -109,7 +109,7 @@ def test_changed_text_fails(folder, table, each, least):
 EARLY = [
     (POSES, r"#define DUALCAY_CAYLEY3_ORDER 3", "#define DUALCAY_CAYLEY3_ORDER 4", "ORDER is 4, not 3"),
     (POSES, r"(_dcay_inv dualcay_cayley3_tangent)_inv", r"\1", "dcay_inv is dualcay_cayley3_tangent, not"),
-    (POSES, r"angles\[0\] = 2 \* pi", "angles[0] = 3 * pi", "singular_angles, component 0"),
+    (POSES, r"(angles_at\[0 \* angles_by\] =) 2 \* pi", r"\1 3 * pi", "singular_angles, component 0"),
     (POSES, r"return DUALCAY_CAYLEY3_SINGULAR_ANGLES", "return 3", "singular_angles does not return 2"),
     (POSES, r"3\.14159265358979323846", "3.14159265358979323847", "singular_angles, component 0"),
     (POSES, r"const dualcay_real h = 16 \* r;", "const float h = 16 * r;", "the interpreter of C reads no type float"),
