@@ -54,6 +54,15 @@ def test_derivatives_by_torch(package, one):
     assert not above_gate(package, one, by_torch)
 
 
+def forget_compiled(package):
+    """Forget compiled calls with their rules, those of the package and those that JAX keeps."""
+    LIBRARIES["jax"]()
+    import jax
+
+    importlib.import_module(f"{package}._jax").ruled.cache_clear()
+    jax.clear_caches()
+
+
 @pytest.mark.thorough
 @pytest.mark.parametrize("change", [lambda slope, x: 2 * slope, lambda slope, x: slope * (x / x)], ids=["2", "0/0"])
 def test_altered_slopes_have_errors(package, change, monkeypatch):
@@ -65,12 +74,11 @@ def test_altered_slopes_have_errors(package, change, monkeypatch):
         return [[change(slope, given[0]) for slope in row] for row in rule(m, c, found, given)]
 
     monkeypatch.setitem(rules, "quaternion_scalars", altered)
-    compiled = importlib.import_module(f"{package}._jax").ruled
-    compiled.cache_clear()  # calls compiled with the rule of the package
+    forget_compiled(package)
     try:
         found = above_gate(package, ("cayley2", "quaternion", POSES, np.float64), by_jax)
     finally:
-        compiled.cache_clear()
+        forget_compiled(package)
     assert {mode for _, mode in found} == {
         "forward", "reverse", "forward, forward", "forward, reverse", "reverse, forward", "reverse, reverse",
     }  # fmt: skip
