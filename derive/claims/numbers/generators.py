@@ -1,0 +1,366 @@
+"""Exact field whose generators are independent: letters in polar form, a tangent for each angle, roots of either sign.
+
+An identity between independent generators holds for all their values, so it also holds for the numbers that they stand
+for. Each of these has a generator of its own:
+
+* the tangent of a fraction of each monomial in a sine, and the exponential of each monomial in an exponent;
+* the root of a number that is no square, the logarithm of a number, and an angle that is no multiple of a known one.
+
+A root ``sqrt(r**2)`` is ``r`` or ``-r`` on each connected part of the domain. If nothing decides, its sign is the next of
+`signs`, and a claim is proved if it is true for all of them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from fractions import Fraction
+from functools import cached_property
+from math import prod
+from typing import Any
+
+import sympy
+
+from ...algebra.element import Element, NotExactError
+from ...algebra.exact import RationalFunctions
+from .fields import Field
+
+POOLS = {"tangent": 7, "exponential": 2, "root": 4, "logarithm": 4, "angle": 4, "turn": 3}
+"""Number of generators of the exact field that are given a meaning when a formula needs one; a turn is an integer."""
+ROOTS_MAX = 5
+"""Largest number of roots of unknown sign."""
+TERMS_MAX = 2000
+"""Largest number of terms of a polynomial; a proof modulo a prime has no such limit."""
+MARGIN = Fraction(1, 10**9)
+"""Distance between a rational bound and the end of a range for which it stands."""
+
+Bound = Any  # SymPy's number, a multiple of π or rational; ∞ if there is none
+Monomial = tuple[tuple[str, int], ...]
+"""Generators with their exponents."""
+
+
+class Signed(RationalFunctions):
+    """Rational functions of generators in open intervals; only numbers of one sign there have a sign."""
+
+    def __init__(self, names: Sequence[str], ranges: Mapping[str, tuple[Bound, Bound]]) -> None:
+        point = {name: Fraction(int(sympy.prime(i + 5)), 7) for i, name in enumerate(names)}
+        super().__init__(names, point | {"pi": Fraction(355, 113)})
+        self.ranges: dict[str, tuple[Bound, Bound]] = {}
+        self._ends: dict[str, Any] = {}
+        for name, (low, high) in ranges.items():
+            self.restrict(name, low, high)
+
+    def restrict(self, name: str, low: Bound, high: Bound, ends: Any = None) -> None:
+        """Set the interval of a generator; the polynomial `ends` vanishes at irrational ends and nowhere beside them."""
+        self.ranges[name], self._ends[name] = (low, high), ends
+        self.point[name] = _between(low, high)
+
+    def reduced(self, a: Any) -> Any:
+        """Return the form of a product that is stored; raise if it is too large to go on with."""
+        if len(a) > TERMS_MAX:
+            raise NotExactError(f"a formula with more than {TERMS_MAX} terms")
+        return self.normal_form(a)
+
+    def value(self, a: Any) -> Fraction:
+        """Return the value at the reference point of a polynomial that has one sign."""
+        if not self.definite(a):
+            raise NotExactError("a number whose sign differs from place to place")
+        return super().value(a)
+
+    def definite(self, a: Any) -> bool:
+        """Return whether each factor of odd power has one sign, but for zeros at ends of the intervals."""
+        return all(self._definite(factor) for factor, power in self.library.factors(a) if power % 2)
+
+    def _definite(self, factor: Any) -> bool:
+        terms = self.library.terms(factor)
+        used = {i for powers in terms for i, power in enumerate(powers) if power}
+        positive = [self._positive(name) for name in self.names]
+        even = all(power % 2 == 0 or sign for powers in terms for power, sign in zip(powers, positive, strict=True))
+        if even and len({c > 0 for c in terms.values()}) == 1:
+            return True
+        if len(used) != 1 or self.names[next(iter(used))] not in self.ranges:
+            return False
+        (i,) = used
+        return self._has_no_root(self.names[i], {powers[i]: c for powers, c in terms.items()})
+
+    def _positive(self, name: str) -> bool:
+        return name in self.ranges and self.ranges[name][0] == 0
+
+    def _has_no_root(self, name: str, terms: Mapping[int, Fraction]) -> bool:
+        """Return whether a polynomial in one generator has no root in its open interval, by Sturm's theorem."""
+        x, (low, high) = sympy.Symbol("x"), self.ranges[name]
+        a = sympy.Poly({(k,): sympy.Rational(c.numerator, c.denominator) for k, c in terms.items()}, x)
+        for end in (low, high):
+            while end.is_Rational and a.degree() > 0 and a.eval(end) == 0:
+                a = a.quo(sympy.Poly(x - end, x))
+        at_ends = sympy.gcd(a, self._ends[name].as_poly(x)) if self._ends[name] is not None else sympy.Poly(1, x)
+        while at_ends.degree() > 0 and (rest := a.gcd(at_ends)).degree() > 0:
+            a = a.quo(rest)
+        inner, outer = (_rational(low, high, margin) for margin in (MARGIN, -MARGIN))
+        return a.count_roots(*outer) == 0 and (at_ends.degree() < 1 or at_ends.count_roots(*inner) == 0)
+
+
+def _between(low: Bound, high: Bound) -> Fraction:
+    """Return a number in an interval, one third of the way if both ends are finite."""
+    if low.is_finite and high.is_finite:
+        low, high = Fraction(str(low.evalf(30))), Fraction(str(high.evalf(30)))
+        return Fraction((2 * low + high) / 3)
+    return Fraction(str(low)) + 3 if low.is_finite else Fraction(str(high)) - 3 if high.is_finite else Fraction(3)
+
+
+def _rational(low: Bound, high: Bound, margin: Fraction) -> tuple[Bound, Bound]:
+    """Return rational bounds inside an interval, or outside it if the margin is negative; rational ones stay."""
+    shift = sympy.Rational(margin.numerator, margin.denominator)
+
+    def near(end: Bound, sign: int) -> Bound:
+        if end.is_Rational or not end.is_finite:
+            return end if end.is_finite else None
+        return sympy.Rational(str(end.evalf(30))) + sign * shift
+
+    return near(low, 1), near(high, -1)
+
+
+class Generators(Field):
+    """Rational functions of independent generators, with sines, exponentials, logarithms and roots.
+
+    Multiples of ``m/steps`` have exact sine and cosine, for every monomial m of the names. `ranges` gives open intervals
+    of names, `integers` the names of integers, `signs` the signs of the first roots of unknown sign.
+    """
+
+    pools: Mapping[str, int] = POOLS
+
+    def __init__(
+        self, names: Sequence[str], ranges: Mapping[str, tuple[Bound, Bound]], integers: Sequence[str], steps: int,
+        signs: Sequence[int] = (),
+    ) -> None:  # fmt: skip
+        self.names, self.given, self.steps, self.signs = tuple(names), dict(ranges), steps, list(signs)
+        self.integers = {*integers, *self.pool("turn")}
+        self.roots: list[Any] = []  # roots of unknown sign, up to this sign
+        self.meanings: dict[tuple[str, Monomial], str] = {}  # generators of tangents and exponentials
+        self.taken = dict.fromkeys(POOLS, 0)  # numbers of generators with a meaning
+        self.extensions: list[tuple[Any, str]] = []  # numbers that are no squares, with the generators of their roots
+        self.logarithms: list[tuple[Any, Any]] = []
+        self.angles: list[tuple[tuple[Any, Any], Any]] = []
+
+    @cached_property
+    def ring(self) -> Any:
+        """Ring of all generators; roots come first, since a relation eliminates its first generator."""
+        first, *others = map(self.pool, ("root", "turn", "angle", "logarithm", "tangent", "exponential"))
+        return Signed([*first, *self.names, "pi", *(name for pool in others for name in pool)], self.given)
+
+    def pool(self, what: str) -> list[str]:
+        """Return the generators for a tangent, an exponential, a root, a logarithm, an angle or a number of turns."""
+        return [f"{what} {i}" for i in range(self.pools[what])]
+
+    # ---- numbers, which a field modulo a prime has otherwise ----------------------------------------------------------
+
+    def symbol(self, name: str) -> Any:
+        return self.ring.symbol(name)
+
+    def element(self, a: Any) -> Any:
+        return self.ring.element(a)
+
+    def terms(self, a: Any) -> Iterator[tuple[Monomial, Fraction]]:
+        """Yield the terms of a number that is a polynomial in the names."""
+        a = self.ring.fraction(a.numerator, a.denominator, lowest_terms=True)
+        if a.denominator != self.ring.library.one:
+            raise NotExactError("an angle or exponent with a divisor")
+        for powers, c in self.ring.library.terms(a.numerator).items():
+            monomial = tuple((name, k) for name, k in zip(self.ring.names, powers, strict=True) if k)
+            if any(name.startswith(("tangent ", "exponential ")) for name, _ in monomial):
+                raise NotExactError("an angle or exponent that contains a sine or an exponential")
+            yield monomial, c
+
+    def is_positive(self, a: Any) -> bool:
+        """Return whether a number that is not 0 is proved to be positive."""
+        try:
+            return bool(a.sign() > 0)
+        except NotExactError:
+            return False
+
+    def root(self, a: Any) -> Any:
+        """Return a root of a number up to its sign, or None if it is no square."""
+        found = self.ring.library.square_root(a.numerator * a.denominator)
+        return None if found is None else self.ring.fraction(found, a.denominator)
+
+    def new_root(self, a: Any) -> Any:
+        """Return the root of a number that is no square: by the root of another one, or with a generator."""
+        for other, name in self.extensions:
+            if (found := self.root(a * other)) is not None:
+                return self.chosen(found / self.symbol(name))
+        name, square = self._next("root"), a.numerator * a.denominator
+        generator = self.symbol(name)
+        self.ring.relations.append(generator.numerator**2 - square)
+        self.ring.restrict(name, sympy.Integer(0), sympy.oo)
+        self.extensions.append((self.ring.fraction(square, self.ring.library.one), name))
+        return self.chosen(self.ring.fraction(generator.numerator, a.denominator))
+
+    def restrict_tangent(self, name: str, monomial: Monomial) -> None:
+        """Set the interval of a tangent by that of its angle."""
+        low, high = self._interval(monomial)
+        if high.is_finite and abs(high) / (2 * self.steps) < sympy.pi / 2:
+            top = sympy.tan(high / (2 * self.steps))
+            self.ring.restrict(name, sympy.Integer(0) if low == 0 else -top, top, self._ends(high))
+
+    def _ends(self, high: Bound) -> Any:
+        """Return the polynomial in a tangent that vanishes where its angle is the end `high`, a multiple of π."""
+        turns = high / sympy.pi
+        if not turns.is_Rational:
+            return None
+        x = sympy.Symbol("x")
+        return sympy.im(sympy.expand((1 + sympy.I * sympy.Symbol("x", real=True)) ** (2 * self.steps * turns.q))).subs(
+            sympy.Symbol("x", real=True), x)  # fmt: skip
+
+    # ---- roots ----------------------------------------------------------------------------------------------------------
+
+    def same(self, a: Any, b: Any) -> bool:
+        return not self.element(a - b)
+
+    def _sqrt(self, a: Any) -> Any:
+        a = self.element(a)
+        found = self.root(a)
+        return self.new_root(a) if found is None else self.chosen(found)
+
+    def absolute(self, a: Any) -> Any:
+        return self.chosen(a) if isinstance(a, Element) else super().absolute(a)
+
+    def chosen(self, root: Any) -> Any:
+        """Return ``root`` or ``-root``, the one that is not negative; by the next of `signs` if nothing decides."""
+        if not root or self.is_positive(root):
+            return root
+        if self.is_positive(-root):
+            return -root
+        for sign, known in zip(self.signs, self.roots, strict=False):
+            if known in (root, -root):
+                return known * sign
+        if len(self.roots) == ROOTS_MAX:
+            raise NotExactError(f"more than {ROOTS_MAX} roots of unknown sign")
+        self.roots.append(root)
+        self.signs += [1] * (len(self.roots) - len(self.signs))
+        return root * self.signs[len(self.roots) - 1]
+
+    # ---- angles and exponents -------------------------------------------------------------------------------------------
+
+    def _sin(self, a: Any) -> Any:
+        return self._circle(self.element(a))[1]
+
+    def _cos(self, a: Any) -> Any:
+        return self._circle(self.element(a))[0]
+
+    def _circle(self, a: Any) -> tuple[Any, Any]:
+        """Return cosine and sine of a polynomial in the names."""
+        c, s = self.element(1), self.element(0)
+        for monomial, multiple in self.terms(a):
+            cosine, sine = self._of_monomial(monomial, multiple)
+            c, s = c * cosine - s * sine, c * sine + s * cosine
+        return c, s
+
+    def _of_monomial(self, monomial: Monomial, multiple: Fraction) -> tuple[Any, Any]:
+        names = {name for name, _ in monomial}
+        one, zero = self.element(1), self.element(0)
+        if monomial == (("pi", 1),):
+            if (2 * multiple).denominator != 1:
+                raise NotExactError("a fraction of pi in a sine")
+            quarter = [(one, zero), (zero, one), (-one, zero), (zero, -one)]
+            return quarter[int(2 * multiple) % 4]
+        if names - {"pi"} <= self.integers and dict(monomial).get("pi") == 1 and (multiple / 2).denominator == 1:
+            return one, zero
+        count = multiple * self.steps
+        if count.denominator != 1 or not monomial:
+            raise NotExactError("a number or a fraction of an angle in a sine")
+        t = self.symbol(self._meaning("tangent", monomial))
+        cosine, sine = (1 - t * t) / (1 + t * t), (2 if count > 0 else -2) * t / (1 + t * t)
+        c, s = one, zero
+        for _ in range(abs(int(count))):
+            c, s = c * cosine - s * sine, c * sine + s * cosine
+        return c, s
+
+    def _exp(self, a: Any) -> Any:
+        found = self.element(1)
+        for monomial, multiple in self.terms(self.element(a)):
+            if multiple.denominator != 1 or not monomial:
+                raise NotExactError("a number or a fraction of a letter in an exponent")
+            found = found * self.symbol(self._meaning("exponential", monomial)) ** int(multiple)
+        return found
+
+    def _meaning(self, what: str, monomial: Monomial) -> str:
+        """Return the generator for the tangent or exponential of a monomial."""
+        if (what, monomial) not in self.meanings:
+            name = self._next(what)
+            self.meanings[what, monomial] = name
+            if what == "tangent":
+                self.restrict_tangent(name, monomial)
+            else:
+                self.restrict_exponential(name)
+        return self.meanings[what, monomial]
+
+    def restrict_exponential(self, name: str) -> None:
+        """Note that an exponential is positive."""
+        self.ring.restrict(name, sympy.Integer(0), sympy.oo)
+
+    def _next(self, what: str) -> str:
+        """Return the next generator of a pool."""
+        if self.taken[what] == self.pools[what]:
+            raise NotExactError(f"no generator is left for another {what}")
+        self.taken[what] += 1
+        return f"{what} {self.taken[what] - 1}"
+
+    def _log(self, a: Any) -> Any:
+        """Return the logarithm of a number, a generator for each argument."""
+        a = self.element(a)
+        if a == 1:
+            return self.element(0)
+        for known, found in self.logarithms:
+            if a == known:
+                return found
+        self.logarithms.append((a, self.symbol(self._next("logarithm"))))
+        return self.logarithms[-1][1]
+
+    # ---- inverse functions ------------------------------------------------------------------------------------------------
+
+    def _interval(self, monomial: Monomial) -> tuple[Bound, Bound]:
+        """Return the interval of a monomial: that of a name, else all numbers."""
+        (name, power), *rest = monomial
+        if rest or power != 1:
+            return -sympy.oo, sympy.oo
+        return self.given.get(name, (-sympy.oo, sympy.oo))
+
+    def _atan2(self, y: Any, x: Any) -> Any:
+        """Return the angle of a point as a multiple of a known one, up to turns if its range is unknown."""
+        y, x = self.element(y), self.element(x)
+        if not y and self.is_positive(x):
+            return y
+        for (b, a), angle in self.angles:
+            if self._along(y, x, b, a):
+                return angle
+        angle = self._known_angle(y, x)
+        if angle is None:
+            angle = self.symbol(self._next("angle"))
+        self.angles.append(((y, x), angle))
+        return angle
+
+    def _along(self, y: Any, x: Any, b: Any, a: Any) -> bool:
+        """Return whether two points (x, y) and (a, b) are proved to lie in one direction."""
+        return bool(y * a == x * b) and self.is_positive(y * b + x * a)
+
+    def _known_angle(self, y: Any, x: Any) -> Any:
+        """Return the angle of a point as k/steps of a monomial, plus turns if its range does not tell; else None."""
+        for monomial in [monomial for what, monomial in self.meanings if what == "tangent"]:
+            angle = prod((self.symbol(name) ** power for name, power in monomial), start=self.element(1))
+            widest = max(map(abs, self._interval(monomial)))
+            for k in (k for k in range(-2 * self.steps, 2 * self.steps + 1) if k):
+                c, s = self._of_monomial(monomial, Fraction(k, self.steps))
+                if self._along(y, x, s, c):
+                    principal = widest * abs(k) <= sympy.pi * self.steps
+                    turned = 0 if principal else 2 * self.pi * self.symbol(self._next("turn"))
+                    return angle * Fraction(k, self.steps) + turned
+        return None
+
+    def _asin(self, a: Any) -> Any:
+        return self._atan2(a, self._sqrt(1 - self.element(a) ** 2))
+
+    def _acos(self, a: Any) -> Any:
+        return self._atan2(self._sqrt(1 - self.element(a) ** 2), a)
+
+    @property
+    def pi(self) -> Any:
+        return self.symbol("pi")
