@@ -17,7 +17,7 @@ from ..algebra import Coefficient, Quaternion
 from ..algebra.arithmetic import Arithmetic
 from ..algebra.cayley_pairs import Pair
 from . import order_charts
-from .families import alpha
+from .elementary import alpha
 from .order_charts import Derivatives, half_cosine, half_sine, kept_inside
 from .real_constants import number, times
 from .scalars import QuaternionChart

@@ -13,7 +13,7 @@ from ..algebra import Dual, Isotropic, Quaternion, Structure, Tensor, Vector
 from ..algebra.isotropic import BASIS
 from ..algebra.latex import combination
 from ..output.typeset import Typeset
-from .families import alpha
+from .elementary import alpha
 from .polynomials import x
 
 

@@ -19,8 +19,7 @@ import sympy
 from numpy.polynomial.polynomial import polyval
 from numpy.typing import NDArray
 
-from ..maps.elementary import evaluate
-from ..maps.families import alpha
+from ..maps.elementary import alpha, evaluate
 
 POINTS = 400
 """Number of angles in the search for an extremum."""

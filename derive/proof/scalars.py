@@ -26,8 +26,7 @@ from ..algebra.arithmetic import PLAIN
 from ..algebra.element import Element
 from ..algebra.polynomials import Polynomial
 from ..maps.chart import Chart
-from ..maps.elementary import evaluate
-from ..maps.families import alpha
+from ..maps.elementary import alpha, evaluate
 from ..maps.polynomials import x
 from .evaluation import Evaluation
 from .identity import Checks, Proof, decide

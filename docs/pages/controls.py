@@ -18,7 +18,7 @@ from derive.algebra import Isotropic
 from derive.algebra.arithmetic import Arithmetic
 from derive.maps import Cayley
 from derive.maps.chart import Chart
-from derive.maps.families import alpha
+from derive.maps.elementary import alpha
 from derive.proof.at_order import FUNCTIONS, Function, computations, instances
 from derive.proof.components import STATEMENTS, Components, hamilton
 from derive.proof.identity import NO_VALUE, Proof

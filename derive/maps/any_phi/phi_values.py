@@ -16,9 +16,8 @@ import sympy
 from ...algebra import Coefficient
 from ...algebra.arithmetic import Arithmetic
 from ...algebra.cayley_pairs import Pair
-from ..families import alpha
+from ..elementary import alpha, elementary
 from ..order_charts import double_angle
-from ..quotient import elementary
 from ..real_constants import is_small, number, plus, times
 from .edges import PHI_DIGITS
 

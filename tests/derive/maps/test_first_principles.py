@@ -11,7 +11,7 @@ import pytest
 
 from derive.algebra import Dual, Quaternion, Tensor, Vector, ZeroDivisorError, first_principles, functions
 from derive.algebra.exponentials import quaternion_exponential, tensor_exponential
-from derive.maps import closed_forms, rodrigues
+from derive.maps import cayley_scalars, rodrigues
 
 TINY = mpmath.mpf(10) ** -40
 Gap = Callable[[object, object], Any]
@@ -44,8 +44,8 @@ def rate_of_axis(angle: Any, u: Vector) -> Tensor:
 @pytest.mark.parametrize("n", [1, 2, 5])
 def test_tangent_operators_are_differentials(n: int, real: bool, draw: Draw, gap: Gap) -> None:
     v = draw().re if real else draw()
-    found = first_principles.tangent(lambda at: closed_forms.tensor(n, at.dot(at)).tensor(at), v)
-    assert gap(found, closed_forms.tangent(n, v.dot(v)).tensor(v)) < TINY
+    found = first_principles.tangent(lambda at: cayley_scalars.tensor(n, at.dot(at)).tensor(at), v)
+    assert gap(found, cayley_scalars.tangent(n, v.dot(v)).tensor(v)) < TINY
 
 
 @pytest.mark.parametrize("real", [False, True])

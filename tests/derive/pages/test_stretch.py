@@ -13,7 +13,7 @@ import sympy
 from derive import about
 from derive.codegen import catalogue
 from derive.maps import Cayley, family, parameterization
-from derive.maps.families import alpha
+from derive.maps.elementary import alpha
 from derive.pages import comparison_forms
 from derive.pages.comparison import MEASURED, MEASUREMENTS, TIMED, Compared
 from derive.pages.stretch import best, bound, stretch

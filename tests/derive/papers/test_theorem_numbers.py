@@ -13,7 +13,7 @@ import sympy
 
 from derive.claims.equation import Entry
 from derive.claims.language.printed import Apply, Number, Symbol, Term, walk
-from derive.maps import Cayley, closed_forms
+from derive.maps import Cayley, cayley_scalars
 from derive.maps.cayley import EQUATIONS
 from derive.papers import PAPERS
 from derive.proof import formulas
@@ -191,7 +191,7 @@ def test_numbers_of_maps_match_entries(name: str, n: int) -> None:
     assert list(EQUATIONS[name]) == general
 
 
-WRITTEN = [getattr(at, name) for at in (closed_forms, formulas) for name in QUANTITIES if hasattr(at, name)]
+WRITTEN = [getattr(at, name) for at in (cayley_scalars, formulas) for name in QUANTITIES if hasattr(at, name)]
 
 
 @pytest.mark.parametrize("function", WRITTEN, ids=lambda function: f"{function.__module__}.{function.__name__}")

@@ -14,8 +14,8 @@ from ....claims.numbers.every_order import EveryOrder
 from ....claims.numbers.fields import UndefinedError, innermost
 from ....maps import Cayley
 from ....maps.chart import Chart
+from ....maps.elementary import alpha as angle_of_phi
 from ....maps.elementary import evaluate
-from ....maps.families import alpha as angle_of_phi
 from ....proof.proved import citing
 from .motions import half_angle
 from .orders import cayley
