@@ -29,11 +29,11 @@ import numpy as np
 from .algebra import Coefficient, Dual, Isotropic, Quaternion, Structure, Tensor, Vector
 from .algebra.arithmetic import PLAIN, Arithmetic
 from .algebra.first_principles import tensor_by_sandwich
+from .algebra.latex import Typeset
 from .algebra.pose import Pose, Screw, natural_invariants, pose_from_tensor, quaternion_from_screw, tensor_from_pose
 from .maps.cayley import Cayley
 from .maps.chart import Chart
 from .maps.exponential import Exponential
-from .output.typeset import Typeset
 
 STATES: dict[type[Structure], int] = {Tensor: 18, Quaternion: 8, Vector: 6}
 """Number of real components of each kind of dual quantity."""

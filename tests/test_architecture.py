@@ -17,7 +17,7 @@ pytestmark = pytest.mark.smoke
 
 ORDER = {
     "derive": (
-        "about", "scratch", "workers", "output", "algebra", "claims", "maps", "motion_equations", "proof", "papers",
+        "about", "workers", "output", "algebra", "claims", "maps", "motion_equations", "proof", "papers",
         "codegen", "pages", "front", "cli", "__main__",
     ),
     "derive.claims": (
@@ -93,7 +93,7 @@ def test_kernels_import_numpy_and_the_standard_library_only():
 
 
 def test_the_entry_point_needs_the_standard_library_only():
-    for name in ("__init__.py", "__main__.py", "about.py", "scratch.py", "workers.py"):
+    for name in ("__init__.py", "__main__.py", "about.py", "workers.py"):
         outside = {module[0] for module in imported(ROOT / "derive" / name)}
         assert outside <= sys.stdlib_module_names | {"derive"}
 
@@ -124,7 +124,7 @@ WAITS = {"wait", "join", "communicate", "result", "acquire", "poll"}
 """Methods whose number is a time limit."""
 
 SHOWN = {
-    "derive/cli/display.py", "derive/output/progress.py", "derive/proof/identity.py", "proofs/__main__.py",
+    "derive/cli/display.py", "derive/output/shown.py", "derive/proof/identity.py", "proofs/__main__.py",
     "proofs/bridge.py", "proofs/checker.py", "proofs/rounding.py",
     "examples/inverse_kinematics_jax.py", "tests/derive/output/test_progress.py",
 }  # fmt: skip
@@ -186,7 +186,7 @@ FOLDERS = {"TemporaryDirectory", "NamedTemporaryFile", "mkdtemp", "mkstemp"}
 """Calls whose folders stay if they are killed; the next run removes those of `scratch`."""
 
 OWN = {
-    "derive/scratch.py": FOLDERS, "derive/output/exchange.py": WRITERS, "derive/output/files.py": {"savefig"},
+    "derive/workers.py": FOLDERS, "derive/output/files.py": WRITERS,
     # inputs of other programs
     "proofs/bridge.py": WRITERS, "proofs/checker.py": WRITERS, "derive/pages/sheet_files.py": WRITERS,
     "benchmarks/c_form.py": WRITERS, "benchmarks/flight.py": WRITERS,

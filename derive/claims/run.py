@@ -17,8 +17,7 @@ from contextlib import suppress
 from dataclasses import fields
 from typing import Any
 
-from ..output.listing import Listing
-from ..output.progress import bar, no_op
+from ..output.shown import Listing, bar, no_op
 from ..workers import cores, limit, stopped
 from .equation import Entry, UndecidedError
 from .result import Result, Status, Verdict

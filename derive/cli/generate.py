@@ -8,7 +8,7 @@ import click
 
 from ..codegen import Package, catalogue, publish
 from ..maps.named import described
-from ..output.tables import Grid, columns, figures
+from ..output.shown import Grid, columns, figures
 from ..workers import cores
 from . import display, options
 

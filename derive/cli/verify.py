@@ -19,7 +19,7 @@ from ..claims.run import check_sheets
 from ..claims.sheet import Sheet, SheetError, claim_alone, load
 from ..maps import Cayley
 from ..output import facts, files
-from ..output.tables import columns
+from ..output.shown import columns
 from ..papers import PAPERS
 from ..papers import verify as decide
 from ..proof import citing, proofs, theorems

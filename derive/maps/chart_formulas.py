@@ -13,8 +13,7 @@ from sympy.core.traversal import bottom_up
 
 from ..algebra import Coefficient
 from ..algebra.arithmetic import PLAIN, Arithmetic
-from ..algebra.latex import latex
-from ..output.typeset import Typeset
+from ..algebra.latex import Typeset, latex
 from .angle import angle_of
 from .elementary import alpha, elementary, of_angle
 from .formula import Formula, IsotropicMap, QuaternionMap

@@ -16,8 +16,7 @@ from ..codegen import catalogue
 from ..codegen.lowered import lower_chart
 from ..maps import PhiError
 from ..maps.chart import Chart
-from ..output.listing import Listing
-from ..output.progress import Step, bar
+from ..output.shown import Listing, Step, bar
 from .stretch import Stretch, stretch
 
 ANGLES = {"π/2": math.pi / 2, "π": math.pi, "3π/2": 3 * math.pi / 2}

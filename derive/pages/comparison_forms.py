@@ -13,7 +13,7 @@ import sympy
 
 from ..output import render
 from ..output.files import put_picture
-from ..output.tables import columns, figures
+from ..output.shown import columns, figures
 from .comparison import ANGLES, COUNTED, MEASURED, TIMED, Compared, number
 from .stretch import POINTS, Stretch, best, bound, stretch
 

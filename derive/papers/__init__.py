@@ -31,8 +31,7 @@ from ..claims.equation import Entry, Paper
 from ..claims.result import Result
 from ..claims.run import SECONDS, check_sheets
 from ..claims.sheet import load, sheet
-from ..output.listing import Listing
-from ..output.progress import bar, no_op
+from ..output.shown import Listing, bar, no_op
 from .package import Package
 
 

@@ -17,7 +17,7 @@ from collections.abc import Callable, Iterator, Sequence
 
 import sympy
 
-from .formulas import tangent, tangent_inv
+from .evaluation import tangent, tangent_inv
 from .map_theorems import INVERSE, MOTION, MOVING, ORIGIN_P, ORIGIN_Q, SQUARE, TANGENT, TENSOR
 from .methods import identity
 from .notation import *

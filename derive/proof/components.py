@@ -21,10 +21,10 @@ import sympy
 from ..algebra.element import Element
 from ..maps import Cayley
 from . import notation as m
-from .at_point import AtPoint
+from .evaluation import AtPoint
 from .identity import Checks, Multiplier, Proof, decide
+from .rings import Ring
 from .statement import Equation, Premise, definition
-from .vector_ring import Ring
 
 NORM = m.norm2(m.z)
 UNIT = definition(m.q_hat, m.z / sympy.sqrt(NORM))

@@ -10,7 +10,7 @@ from typing import Any, Literal, NamedTuple
 
 import sympy
 
-from ..output.typeset import Typeset
+from ..algebra.latex import Typeset
 from .notation import text
 from .statement import Equation, Premise
 

@@ -5,7 +5,7 @@ Vectors are generic: v, its rate and rotated points have independent components.
 
 from __future__ import annotations
 
-from .formulas import defined, tangent, tangent_inv, tensor
+from .evaluation import defined, tangent, tangent_inv, tensor
 from .methods import identity
 from .notation import *
 from .polynomial_theorems import NORM, ORIGIN, SLOPES, VECTOR_POWERS

@@ -22,8 +22,8 @@ import sympy
 from ..algebra import Dual, Vector, dual_part, mixed, real_part
 from ..algebra.element import Element
 from . import notation
-from .differential_ring import DifferentialRing
 from .evaluation import MEANING, Evaluation, NoValueError, flat, mapped
+from .rings import DifferentialRing
 from .statement import Equation, Premise
 
 

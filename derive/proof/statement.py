@@ -11,7 +11,7 @@ from functools import cached_property
 
 import sympy
 
-from ..output.typeset import Typeset
+from ..algebra.latex import Typeset
 from .notation import Shifted, latex, text
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 
-from ...output.tables import WIDTH, Column, Grid
+from ...output.shown import WIDTH, Column, Grid
 from ..language.written import written
 from ..result import Result, Status
 from .content import MEANING, Chapter, Report, command, details, domain, example, label, readings, shown

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from ....algebra import Quaternion, Tensor, Vector, first_principles, real_part
-from ....algebra.exponentials import quaternion_exponential, tensor_exponential
+from ....algebra.first_principles import quaternion_exponential, tensor_exponential
 from ....algebra.pose import Pose, line_through, pose_from_tensor
 from ....claims.language import values
 from ....claims.language.common_definitions import condition, nilpotent, plain, screw_quaternion, screw_tensor

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from typing import Any
 
 from ....algebra import Dual, Quaternion, Tensor, Vector, first_principles, real_part
-from ....algebra.exponentials import tensor_exponential
+from ....algebra.first_principles import tensor_exponential
 from ....claims.language import values
 from ....claims.language.common_definitions import condition, screw_quaternion, screw_tensor
 from ....claims.language.environment import Env

@@ -1,7 +1,7 @@
 """Section 8, tangent operators of the exponential and of the Cayley maps of order n: lines 388-412."""
 
 from ....algebra import first_principles, real_part
-from ....algebra.exponentials import tensor_exponential
+from ....algebra.first_principles import tensor_exponential
 from ....claims.numbers.fields import innermost
 from ..definitions import orders, velocities
 from ..definitions.cayley_maps import proved
