@@ -22,7 +22,7 @@ from benchmarks import timing
 from benchmarks.style import BLUE, FOLDER, GOLD, GREEN, GREY, ORANGE, PINK, STYLE, WIDTH
 from derive.algebra import Vector
 from derive.codegen.programs.trace import Trace
-from derive.codegen.targets import infix
+from derive.codegen.targets import expression
 from derive.motion_equations import MotionEquation, motion_equation
 from derive.output.files import put_picture
 from tests.support import motions
@@ -67,7 +67,7 @@ def straight_line(equation: MotionEquation) -> Callable[[float, np.ndarray], Seq
     half = equation.states // 2
     rate = equation.rate(equation.kind.dual(y[:half], y[half:]), Vector.dual(w[:3], w[3:]), trace)
     known: dict[str, Any] = {}
-    exec(f"def rate(m, y, omega):\n{infix.body(trace.program('rate', [*rate.re, *rate.du]))}", known)
+    exec(f"def rate(m, y, omega):\n{expression.body(trace.program('rate', [*rate.re, *rate.du]))}", known)
     function = known["rate"]
     return lambda t, y: function(FLOATS, y.tolist(), motions.space_twist(t, FLOATS))
 

@@ -10,8 +10,8 @@ from typing import Any
 
 from ..algebra.latex import Typeset
 from .equation import Entry
+from .language.operations import written
 from .language.printed import Term, latex
-from .language.written import written
 
 
 class Status(StrEnum):

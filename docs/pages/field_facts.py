@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from derive.claims.language.written import written
+from derive.claims.language.operations import written
 from derive.claims.result import Result, Status
 from derive.claims.run import SECONDS, check_sheets
 from derive.claims.sheet import Sheet, load
