@@ -74,7 +74,7 @@ def straight_line(equation: MotionEquation) -> Callable[[float, np.ndarray], Seq
 
 def runs(equation: MotionEquation, tolerances: Sequence[float] = TOLERANCES, end: float = END) -> list[Run]:
     """Return a run for each tolerance."""
-    rhs, start = straight_line(equation), equation.initial(motions.pose(0))
+    rhs, start = straight_line(equation), motions.state(equation, motions.kernels(equation).from_pose(motions.pose(0)))
 
     def solve(rtol: float) -> Any:
         return solve_ivp(rhs, (0, end), start, "DOP853", rtol=rtol, atol=rtol / 10)
@@ -82,7 +82,7 @@ def runs(equation: MotionEquation, tolerances: Sequence[float] = TOLERANCES, end
     found = [solve(rtol) for rtol in tolerances]
     seconds = timing.medians([lambda rtol=rtol: solve(rtol) for rtol in tolerances], ROUNDS)  # type: ignore[misc]
     return [
-        Run(solved.nfev, 1e3 * taken, float(abs(np.moveaxis(equation.pose(solved.y), -1, 0) - poses).max()))
+        Run(solved.nfev, 1e3 * taken, float(abs(motions.reached(equation, solved.y) - poses).max()))
         for solved, taken in zip(found, seconds, strict=True)
         for poses in [np.stack([motions.pose(t) for t in solved.t])]
     ]

@@ -119,10 +119,6 @@ def check_sheets(
     return Listing(decide_each(items, seconds, step))
 
 
-JOIN = 5.0
-"""Seconds in which threads notice that their processes are dead."""
-
-
 class _Worker:
     """Process that decides one entry at a time; after its death a new one begins."""
 

@@ -5,14 +5,14 @@ The printed equation is the decided one: text, LaTeX and values all come from it
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 import sympy
 
 from ..algebra.latex import Typeset
-from .notation import Shifted, latex, text
+from .notation import latex, text
 
 
 @dataclass(frozen=True)
@@ -59,13 +59,6 @@ class Equation(Typeset):
         other = 2 * self.right if self.right != 0 else sympy.Integer(1)
         return replace(self, right=other if self.wrong is None else self.wrong, numbers=())
 
-    def variants(self, sides: Iterable[str] = ("left", "right")) -> Iterator[Equation]:
-        """Yield `altered`, and copies of the equation with one integer of these sides increased by one."""
-        yield self.altered()
-        for side in sides:
-            changed = (e for e in _increased(getattr(self, side)) if e != getattr(self, side))
-            yield from (replace(self, numbers=(), **{side: e}) for e in changed)
-
 
 @dataclass(frozen=True)
 class Premise:
@@ -90,16 +83,3 @@ def definition(
 ) -> Premise:
     """Return the definition of a symbol or a term."""
     return Premise(Equation(left, right, numbers, wrong))
-
-
-def _increased(expression: sympy.Expr) -> Iterator[sympy.Expr]:
-    """Yield copies of the expression, each with one integer increased by one."""
-    if expression.is_Integer:
-        yield expression + (1 if expression != -1 else 2)  # an exponent of 0 would leave 1
-    if isinstance(expression, Shifted):  # the integer is a place of evaluation
-        return
-    for place, argument in enumerate(expression.args):
-        named = expression.is_Pow and not expression.exp.is_Integer and not argument.is_commutative  # (1 + v)^n
-        if isinstance(argument, sympy.Expr) and not named:
-            for changed in _increased(argument):
-                yield expression.func(*expression.args[:place], changed, *expression.args[place + 1 :])
