@@ -16,10 +16,9 @@ import sympy
 from ..algebra import cayley_pairs
 from ..maps import Cayley, any_order, cayley_scalars, polynomials
 from .evaluation import NoValueError, tangent, tangent_inv, tensor
-from .identity import Checks, Proof, decide
+from .identity import Checks, Equation, Proof, decide
 from .notation import R, Shifted, c, d, dcay, dcay_inv, n, p, q, q_hat, text, x
 from .rings import Ring
-from .statement import Equation
 
 METHOD = "instance of the theorem for all n, residues in Q(x), for the quaternion in Q(sqrt(1 + x))"
 Function = Callable[..., Any]

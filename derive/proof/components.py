@@ -22,9 +22,8 @@ from ..algebra.element import Element
 from ..maps import Cayley
 from . import notation as m
 from .evaluation import AtPoint
-from .identity import Checks, Multiplier, Proof, decide
+from .identity import Checks, Equation, Multiplier, Premise, Proof, decide, definition
 from .rings import Ring
-from .statement import Equation, Premise, definition
 
 NORM = m.norm2(m.z)
 UNIT = definition(m.q_hat, m.z / sympy.sqrt(NORM))

@@ -10,12 +10,11 @@ from __future__ import annotations
 import sympy
 
 from .evaluation import defined, tangent, tensor
-from .map_theorems import ORIGIN_P, QUATERNION, ROOT, SQUARE, TANGENT, TENSOR
+from .identity import Equation, Premise, definition
+from .map_theorems import ANGLES, ONE, ORIGIN_P, QUATERNION, ROOT, SLOPES, SQUARE, TANGENT, TENSOR, pairs, turning
 from .methods import determined, identity
 from .notation import *
-from .polynomial_theorems import ANGLES, ONE, SLOPES, pairs, turning
 from .setting import Symbols
-from .statement import Equation, Premise, definition
 from .theorem import Theorem
 
 ZERO = Equation(alpha, 0)

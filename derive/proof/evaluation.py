@@ -30,8 +30,7 @@ from ..algebra import (
 from ..algebra.first_principles import tensor_by_sandwich
 from . import notation
 from . import notation as m
-from .identity import Checks
-from .statement import Equation, Premise, definition
+from .identity import Checks, Equation, Premise, definition
 
 
 def compose_first_order(b2: Vector, b1: Vector) -> Vector:

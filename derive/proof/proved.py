@@ -16,9 +16,8 @@ from .components import Components
 from .displacement_theorems import CLOSED_AT, DISPLACEMENT_THEOREMS, TRANSPORT_THEOREMS
 from .identity import Proof
 from .limit_theorems import GROWING_ORDER
-from .map_theorems import MAP_THEOREMS
+from .map_theorems import MAP_THEOREMS, POLYNOMIAL_THEOREMS
 from .phi_theorems import ANY_PHI
-from .polynomial_theorems import POLYNOMIAL_THEOREMS
 from .scalars import ScalarProofs, instance
 from .texts import MARKED, compared, shown_with
 from .theorem import decided

@@ -28,11 +28,10 @@ from ..maps.chart import Chart
 from ..maps.elementary import alpha, evaluate
 from ..maps.polynomials import x
 from .evaluation import Evaluation
-from .identity import Checks, Proof, decide
+from .identity import Checks, Equation, Proof, decide
 from .notation import Shifted, det, prime
 from .phi_theorems import PHI, SCALARS, T, any_phi, cosine, sine
 from .rings import Ring
-from .statement import Equation
 
 METHOD = "residues in Q(x), with the root of 1 + x/k where formulas have it"
 BY_ANGLE = "residues in Q(tan(alpha/2M)), M such that phi is made of sines and cosines of multiples of alpha/M"

@@ -23,8 +23,8 @@ from ..algebra import Dual, Vector, dual_part, mixed, real_part
 from ..algebra.element import Element
 from . import notation
 from .evaluation import MEANING, Evaluation, NoValueError, flat, mapped
+from .identity import Equation, Premise
 from .rings import DifferentialRing
-from .statement import Equation, Premise
 
 
 @dataclass(frozen=True)

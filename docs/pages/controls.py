@@ -21,10 +21,9 @@ from derive.maps.chart import Chart
 from derive.maps.elementary import alpha
 from derive.proof.at_order import FUNCTIONS, Function, computations, instances
 from derive.proof.components import STATEMENTS, Components, hamilton
-from derive.proof.identity import NO_VALUE, Proof
+from derive.proof.identity import NO_VALUE, Equation, Proof
 from derive.proof.notation import Shifted
 from derive.proof.scalars import BENDS, SLOPES, VALUES, ScalarProofs
-from derive.proof.statement import Equation
 from derive.proof.theorem import Theorem
 
 

@@ -22,8 +22,8 @@ from ...algebra import Coefficient
 from ...algebra.arithmetic import Arithmetic
 from .. import exponential
 from ..angle import Angle
-from ..angle_chart import AngleChart
 from ..elementary import Quotient, alpha, elementary
+from ..exponential import AngleChart
 from ..grammar import SYMBOLIC_ONLY, PhiError
 from ..noise import NOISE
 from ..order_charts import Derivatives, half_angle
@@ -32,9 +32,8 @@ from ..scalars import DependentScalars, scalar
 from .edges import PHI_DIGITS, Edge, edge_of
 from .first_guess import guess
 from .guesses import Guess, from_end
-from .lengths import Lengths
 from .near_zero import Ratio, length_ratio, ratio
-from .phi_values import PhiValues
+from .phi_values import Lengths, PhiValues
 from .rounding import require_digits
 
 

@@ -20,10 +20,10 @@ from derive.proof import evaluation
 from derive.proof import notation as m
 from derive.proof.components import STATEMENTS
 from derive.proof.displacement_theorems import CLOSED_AT
+from derive.proof.identity import Equation
 from derive.proof.limit_theorems import GROWING_ORDER
 from derive.proof.phi_theorems import ANY_PHI
 from derive.proof.proved import STATED
-from derive.proof.statement import Equation
 
 SYMBOLS = {
     "R": m.R, "I": m.I, "v": m.v, "n": m.n, "q": m.q_hat, "p_n": m.p, "q_n": m.q,

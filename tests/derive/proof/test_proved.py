@@ -20,9 +20,8 @@ from derive.maps import Cayley, cayley, family, parameterization, x
 from derive.maps.chart import Chart
 from derive.maps.chart_formulas import DEFINITIONS, IDENTITIES
 from derive.proof import ProofFailed, Proved, proofs, prove, shown, theorems
-from derive.proof.identity import Check, Multiplier, Proof, decide
+from derive.proof.identity import Check, Equation, Multiplier, Premise, Proof, decide, definition
 from derive.proof.notation import n, p, q
-from derive.proof.statement import Equation, Premise, definition
 from derive.proof.texts import MARKED, compared, shown_with
 from docs.pages.controls import variants
 

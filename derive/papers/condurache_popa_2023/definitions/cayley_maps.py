@@ -8,7 +8,6 @@ from typing import Any
 
 from ....algebra import Quaternion, Tensor, Vector, first_principles, real_part
 from ....claims.language import values
-from ....claims.language.common_definitions import condition
 from ....claims.language.environment import Env
 from ....claims.numbers.fields import UndefinedError, innermost
 from ....claims.numbers.generic import EveryOrder
@@ -17,6 +16,7 @@ from ....maps.chart import Chart
 from ....maps.elementary import alpha as angle_of_phi
 from ....maps.elementary import evaluate
 from ....proof.proved import citing
+from .dual_algebra import condition
 from .motions import half_angle
 from .orders import cayley
 
