@@ -21,7 +21,7 @@ import mpmath
 import numpy as np
 
 from derive.output import facts, files
-from derive.scratch import scratch
+from derive.workers import scratch
 
 from .checker import PROCESSES
 from .coq_definitions import GEOMETRY, V

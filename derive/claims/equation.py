@@ -21,7 +21,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from typing import Any, TypeAlias
 
-from ..output.typeset import Typeset
+from ..algebra.latex import Typeset
 from .language.abbreviations import Abbreviation, contracted, expanded
 from .language.environment import Definition
 from .language.printed import Symbol, Term, latex, rate_depth, symbols, text, walk

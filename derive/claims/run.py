@@ -17,8 +17,7 @@ from contextlib import suppress
 from dataclasses import fields
 from typing import Any
 
-from ..output.listing import Listing
-from ..output.progress import bar, no_op
+from ..output.shown import Listing, bar, no_op
 from ..workers import cores, limit, stopped
 from .equation import Entry, UndecidedError
 from .result import Result, Status, Verdict
@@ -118,10 +117,6 @@ def check_sheets(
     places = [(sheet, place, entry.number) for sheet in sheets for place, entry in enumerate(sheet.entries())]
     items = [(sheet, place) for sheet, place, number in places if numbers is None or number in numbers]
     return Listing(decide_each(items, seconds, step))
-
-
-JOIN = 5.0
-"""Seconds in which threads notice that their processes are dead."""
 
 
 class _Worker:

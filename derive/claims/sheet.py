@@ -16,8 +16,7 @@ from typing import Any
 from .equation import Entry, Home, Paper, Reading
 from .language.abbreviations import Abbreviation, ClaimError, Scope, expanded
 from .language.claims import statement, tree
-from .language.kinds import letter
-from .language.literals import LITERALS
+from .language.letters import LITERALS, letter
 from .language.operations import CONSTANTS, OPERATIONS
 from .language.printed import Symbol, Term
 from .transcript import READING_KEYS, Transcript

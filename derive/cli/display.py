@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from ..output.progress import Step, bar, watched
+from ..output.shown import Step, bar, watched
 
 if TYPE_CHECKING:
     from ..output import Difference

@@ -16,10 +16,9 @@ from typing import TypeVar
 from ..maps import Cayley
 from ..maps.chart import Chart
 from ..output import files
-from ..output.progress import Progress, Step, silent
+from ..output.shown import Progress, Step, silent
 from ..proof import prove
-from ..scratch import scratch
-from ..workers import mapping
+from ..workers import mapping, scratch
 from .lowered import Lowered, lower
 from .package import Counts, Facts, Module, Package, module_name, module_texts, shared_texts
 from .targets import Target

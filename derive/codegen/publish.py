@@ -9,7 +9,7 @@ from pathlib import Path
 from .. import about
 from ..maps.chart import Chart
 from ..output import files
-from ..output.progress import Progress, Step, bar, silent
+from ..output.shown import Progress, Step, bar, silent
 from . import catalogue
 from .build import build, print_package
 from .package import Package, module_name, notices

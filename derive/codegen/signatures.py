@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 from functools import partial
 
-from .lowering import calculus, forward, groups, inverse, kinematics, motion, retraction, shadows, switching
+from .lowering import calculus, forward, groups, inverse, kinematics, retraction, shadows
 from .lowering.point import Recipe
 from .rows import Array, Function, Table
 
@@ -132,7 +132,7 @@ _ROWS = (
     _by_exponential("body_retract_jacobians", (V, DELTA), BY_STEP, retraction.body_retract_jacobians),
     _by_exponential("local", TWO, (DELTA,), retraction.local),
     _by_exponential("body_local", TWO, (DELTA,), retraction.body_local),
-    _by_exponential("interpolate", (*reversed(TWO), SHARE), (V,), motion.interpolate),
+    _by_exponential("interpolate", (*reversed(TWO), SHARE), (V,), retraction.interpolate),
     Function("adjoint", (V,), (_jacobian("adjoint"),), groups.adjoint),
     Function("transform_point_jacobians", (V, POINT), (BY_V_OF_POINT, BY_POINT), groups.transform_point_jacobians),
     Function("transform_line_jacobians", (V, LINE), (BY_V, BY_LINE), groups.transform_line_jacobians, rotation=None),
@@ -141,7 +141,7 @@ _ROWS = (
     _by_exponential("body_local_jacobians", TWO, BY_TWO, retraction.body_local_jacobians),
 )
 
-_COMPOSED = (_selecting("switch", (V, V_DOT, COVARIANCE), (SHADOW, *SWITCHED), switching.switch),)
+_COMPOSED = (_selecting("switch", (V, V_DOT, COVARIANCE), (SHADOW, *SWITCHED), groups.switch),)
 
 POSES = Table.of("", _ROWS, _COMPOSED)
 """Functions of a kernel module for poses."""

@@ -19,7 +19,7 @@ from sympy.printing.precedence import PRECEDENCE
 from ..algebra.latex import latex
 from .cayley import Cayley
 from .chart_formulas import Map, factored
-from .families import alpha
+from .elementary import alpha
 from .formula import IsotropicMap
 from .polynomials import x
 

@@ -21,7 +21,7 @@ import sympy
 from ..algebra import Coefficient
 from ..algebra.arithmetic import Arithmetic
 from ..algebra.cayley_pairs import Pair
-from .families import alpha
+from .elementary import alpha
 from .order_charts import Derivatives, OrderChart, double_angle, near_pole
 from .polynomials import Triple
 from .scalars import DependentScalars, scalar

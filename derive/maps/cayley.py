@@ -19,11 +19,11 @@ from ..algebra import Coefficient, Isotropic, Quaternion
 from ..algebra.arithmetic import Arithmetic
 from ..algebra.cayley_pairs import Pair, require_order
 from ..algebra.latex import bracketed, latex
-from . import closed_forms, polynomials
+from . import cayley_scalars, polynomials
 from .cayley_scalars import CHAIN_POWER, HORNER_LIMIT, CayleyScalars
 from .chart import Followed
 from .chart_formulas import Map
-from .families import alpha
+from .elementary import alpha
 from .formula import IsotropicMap, QuaternionMap
 from .noise import NOISE, near_turn
 from .order_charts import BranchesOfOrder, Derivatives, cayley_gain, near_pole, side_of_step
@@ -125,17 +125,17 @@ class Cayley(BranchesOfOrder):
     @cached_property
     def tensor(self) -> IsotropicMap:
         """Orthogonal dual tensor, CP23 (57)."""
-        return self._isotropic(closed_forms.tensor)
+        return self._isotropic(cayley_scalars.tensor)
 
     @cached_property
     def tangent(self) -> IsotropicMap:
         """Tangent operator dcay_n, CP23 (88); it takes v̇ to the space twist."""
-        return self._isotropic(closed_forms.tangent)
+        return self._isotropic(cayley_scalars.tangent)
 
     @cached_property
     def tangent_inv(self) -> IsotropicMap:
         """Inverse tangent operator dcay_n⁻¹, CP23 (89); it takes the space twist to v̇."""
-        return self._isotropic(closed_forms.tangent_inv)
+        return self._isotropic(cayley_scalars.tangent_inv)
 
     def _isotropic(self, closed_form: Callable[[int, Any], Isotropic]) -> IsotropicMap:
         coefficients = closed_form(self.order, FIELD.gens[0]).coefficients

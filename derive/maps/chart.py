@@ -22,7 +22,7 @@ from dataclasses import fields
 from fractions import Fraction
 from functools import cached_property
 from types import FunctionType
-from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple, cast
+from typing import Any, ClassVar, NamedTuple, cast
 
 import sympy
 
@@ -33,9 +33,6 @@ from .chart_formulas import ChartFormulas, Scalars
 from .noise import NOISE, NOISE_OF_STEPS, at_turn
 from .polynomials import Triple
 from .real_constants import SMALL, number, plus, times
-
-if TYPE_CHECKING:
-    from .cayley import Cayley
 
 
 class Followed(NamedTuple):
@@ -90,7 +87,7 @@ class Chart(ChartFormulas):
         return ()
 
     @property
-    def cayley(self) -> Cayley | None:
+    def cayley(self) -> Any:
         """Chart itself if it is a Cayley map, with theorems for every order; None otherwise."""
         return None
 

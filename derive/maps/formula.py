@@ -10,10 +10,9 @@ import mpmath
 import sympy
 
 from ..algebra import Dual, Isotropic, Quaternion, Structure, Tensor, Vector
-from ..algebra.isotropic import BASIS
-from ..algebra.latex import combination
-from ..output.typeset import Typeset
-from .families import alpha
+from ..algebra.latex import Typeset, combination
+from ..algebra.structures import BASIS
+from .elementary import alpha
 from .polynomials import x
 
 

@@ -15,7 +15,7 @@ from ..algebra.arithmetic import Arithmetic
 from ..algebra.cayley_pairs import Pair
 from . import polynomials
 from .chart import Chart, Followed
-from .families import alpha
+from .elementary import alpha
 from .noise import NOISE, NOISE_GIVEN
 from .polynomials import Triple
 from .scalars import QuaternionChart

@@ -12,8 +12,7 @@ from pathlib import Path
 from .. import about
 from ..output import files
 from ..output.templates import render
-from ..scratch import scratch
-from ..workers import SlowError, run
+from ..workers import SlowError, run, scratch
 from .sheet import sheet
 
 BROWSERS = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "chrome")

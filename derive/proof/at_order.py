@@ -14,13 +14,11 @@ from typing import Any
 import sympy
 
 from ..algebra import cayley_pairs
-from ..maps import Cayley, any_order, closed_forms, polynomials
-from .evaluation import NoValueError
-from .formulas import tangent, tangent_inv, tensor
-from .identity import Checks, Proof, decide
+from ..maps import Cayley, any_order, cayley_scalars, polynomials
+from .evaluation import NoValueError, tangent, tangent_inv, tensor
+from .identity import Checks, Equation, Proof, decide
 from .notation import R, Shifted, c, d, dcay, dcay_inv, n, p, q, q_hat, text, x
-from .statement import Equation
-from .vector_ring import Ring
+from .rings import Ring
 
 METHOD = "instance of the theorem for all n, residues in Q(x), for the quaternion in Q(sqrt(1 + x))"
 Function = Callable[..., Any]
@@ -40,7 +38,7 @@ FUNCTIONS: Mapping[str, Function] = {
     "multiply": cayley_pairs.multiply,
     "pair_by_squaring": cayley_pairs.pair_by_squaring,
     "brackets": polynomials.brackets,
-    **{name: getattr(closed_forms, name) for name in FORMS},
+    **{name: getattr(cayley_scalars, name) for name in FORMS},
     "singular_angles": polynomials.singular_angles,
     "poles": polynomials.poles,
 }
@@ -127,7 +125,7 @@ def computations(order: int, functions: Mapping[str, Function] = FUNCTIONS) -> t
     return (
         same_as_theorem(at, {f"any_order.{a}({order})": (SYMBOLS[a[0]], partial(computed, a)) for a in SUMS}),
         same_as_theorem(at, pairs),
-        *(same_as_theorem(at, {f"closed_forms.{a}({order}, x)": (SYMBOLS[a], partial(computed, a))}) for a in FORMS),
+        *(same_as_theorem(at, {f"cayley_scalars.{a}({order}, x)": (SYMBOLS[a], partial(computed, a))}) for a in FORMS),
         _singular_angles(at, functions),
     )
 

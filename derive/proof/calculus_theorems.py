@@ -17,13 +17,12 @@ from collections.abc import Callable, Iterator, Sequence
 
 import sympy
 
-from .formulas import tangent, tangent_inv
-from .map_theorems import INVERSE, MOTION, MOVING, ORIGIN_P, ORIGIN_Q, SQUARE, TANGENT, TENSOR
+from .evaluation import tangent, tangent_inv
+from .identity import Equation, Premise, definition
+from .map_theorems import INVERSE, MOTION, MOVING, ORIGIN_P, ORIGIN_Q, SLOPES, SQUARE, TANGENT, TENSOR
 from .methods import identity
 from .notation import *
-from .polynomial_theorems import SLOPES
 from .setting import Symbols
-from .statement import Equation, Premise, definition
 from .theorem import Theorem
 
 NORM = p**2 + x * q**2

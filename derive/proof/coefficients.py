@@ -23,9 +23,8 @@ from typing import Any
 import sympy
 
 from ..algebra.exact import RationalFunctions
-from .identity import Checks
+from .identity import Checks, Equation, definition
 from .notation import Shifted, j, n, text, x
-from .statement import Equation, definition
 from .theorem import Method, Theorem
 
 POLYNOMIALS = RationalFunctions(("n", "j"))

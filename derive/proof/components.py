@@ -21,10 +21,9 @@ import sympy
 from ..algebra.element import Element
 from ..maps import Cayley
 from . import notation as m
-from .at_point import AtPoint
-from .identity import Checks, Multiplier, Proof, decide
-from .statement import Equation, Premise, definition
-from .vector_ring import Ring
+from .evaluation import AtPoint
+from .identity import Checks, Equation, Multiplier, Premise, Proof, decide, definition
+from .rings import Ring
 
 NORM = m.norm2(m.z)
 UNIT = definition(m.q_hat, m.z / sympy.sqrt(NORM))

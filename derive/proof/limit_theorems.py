@@ -19,10 +19,10 @@ from __future__ import annotations
 import sympy
 
 from .displacement_theorems import DOUBLE_ANGLE, EXPONENTIAL, UNIT, VERSOR_EXPONENTIAL, circular, pythagoras, solution
+from .identity import Equation, Premise, definition
 from .methods import determined, identity
 from .notation import *
 from .setting import Symbols
-from .statement import Equation, Premise, definition
 
 SCOPE = "1/(2n)^2 = epsilon, to first order"
 

@@ -15,9 +15,8 @@ from typing import Any
 import sympy
 
 from . import notation
-from .identity import ALL_ORDERS, Checks
+from .identity import ALL_ORDERS, Checks, Equation, Premise
 from .setting import Setting, Symbols
-from .statement import Equation, Premise
 from .theorem import Method, Theorem
 
 

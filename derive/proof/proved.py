@@ -13,16 +13,14 @@ from ..maps.chart import Chart
 from .at_order import computations, instances
 from .calculus_theorems import CALCULUS_THEOREMS
 from .components import Components
-from .displacement_theorems import CLOSED_AT, DISPLACEMENT_THEOREMS
+from .displacement_theorems import CLOSED_AT, DISPLACEMENT_THEOREMS, TRANSPORT_THEOREMS
 from .identity import Proof
 from .limit_theorems import GROWING_ORDER
-from .map_theorems import MAP_THEOREMS
+from .map_theorems import MAP_THEOREMS, POLYNOMIAL_THEOREMS
 from .phi_theorems import ANY_PHI
-from .polynomial_theorems import POLYNOMIAL_THEOREMS
 from .scalars import ScalarProofs, instance
 from .texts import MARKED, compared, shown_with
 from .theorem import decided
-from .transport_theorems import TRANSPORT_THEOREMS
 
 _MADE_HERE = object()
 

@@ -22,9 +22,9 @@ import sympy
 from ..algebra import Dual, Vector, dual_part, mixed, real_part
 from ..algebra.element import Element
 from . import notation
-from .differential_ring import DifferentialRing
 from .evaluation import MEANING, Evaluation, NoValueError, flat, mapped
-from .statement import Equation, Premise
+from .identity import Equation, Premise
+from .rings import DifferentialRing
 
 
 @dataclass(frozen=True)

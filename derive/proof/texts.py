@@ -26,9 +26,8 @@ from . import notation as m
 from . import phi_theorems as every
 from .at_order import at_order
 from .evaluation import Evaluation
-from .identity import Checks, Proof, decide
+from .identity import Checks, Equation, Proof, decide, definition
 from .setting import Setting, Symbols
-from .statement import Equation, definition
 
 Names = Mapping[str, sympy.Expr]
 """Symbols and terms of theorems, by their spelling."""

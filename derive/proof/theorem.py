@@ -14,8 +14,7 @@ from typing import ClassVar
 import sympy
 
 from . import notation
-from .identity import ALL_ORDERS, Checks, Proof, decide
-from .statement import Equation, Premise
+from .identity import ALL_ORDERS, Checks, Equation, Premise, Proof, decide
 
 
 class Method(ABC):

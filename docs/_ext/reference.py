@@ -13,7 +13,7 @@ import click
 from docutils import nodes
 
 import dualcay
-from derive.claims.language.kinds import LETTERS
+from derive.claims.language.letters import LETTERS
 from derive.claims.language.operations import OPERATIONS
 from derive.cli.commands import cli
 from derive.codegen.catalogue import committed

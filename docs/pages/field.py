@@ -14,10 +14,10 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 from derive.claims.report.content import example
-from derive.claims.report.pages import differing_sides
+from derive.claims.report.forms import differing_sides
 from derive.claims.result import Result, Status
 from derive.output import facts
-from derive.output.progress import bar
+from derive.output.shown import bar
 
 from .field_facts import COLLECTIONS, TRUE, WRONG, Document, Place, anchor, as_json, correction, decided, sheets
 

@@ -15,7 +15,7 @@ from pathlib import Path
 
 from derive.maps import Cayley
 from derive.output import facts
-from derive.output.progress import bar
+from derive.output.shown import bar
 from derive.proof.displacement_theorems import CLOSED_AT
 from derive.proof.identity import ALL_ORDERS, Proof
 from derive.proof.proved import CLAIMS, proofs

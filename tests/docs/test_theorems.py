@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from derive.codegen.signatures import PUBLIC
-from derive.pages.coverage import COVERAGE
+from derive.pages.explain import COVERAGE
 from derive.proof import notation as m
 from derive.proof import theorems
 from derive.proof.evaluation import NoValueError

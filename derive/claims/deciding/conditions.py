@@ -9,9 +9,9 @@ from fractions import Fraction
 from ...algebra import Structure, Tensor
 from ...algebra.matrix import Matrix
 from ..language.environment import Env
+from ..language.operations import written
 from ..language.operator_table import Re, cos, det, nonzero, norm, over, remark, sin, trace
 from ..language.printed import Number, Term, Trait, symbols
-from ..language.written import written
 from ..numbers.balls import BlurredError, precision
 from ..numbers.fields import innermost
 from .claim import Claim, Place, kind

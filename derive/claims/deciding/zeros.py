@@ -14,9 +14,9 @@ from typing import Any
 import flint
 
 from ..language.environment import Env
+from ..language.operations import written
 from ..language.operator_table import Re, norm
 from ..language.printed import Symbol
-from ..language.written import written
 from ..numbers.balls import Ball, arb, precision
 from ..numbers.kinds import ORDER, Numbers
 from .claim import Claim, Place, kind

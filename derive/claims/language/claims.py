@@ -12,7 +12,7 @@ from typing import Any
 from . import operations, operator_table, relations, shapes
 from .abbreviations import Abbreviation, ClaimError, Scope, call, latex_of
 from .grammar import Grammar, source
-from .literals import LITERALS, integer
+from .letters import LITERALS, integer
 from .operations import CONSTANTS, OPERATIONS
 from .printed import Number, Symbol, Term
 from .shapes import Kind, KindError

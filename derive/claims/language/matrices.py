@@ -9,8 +9,7 @@ import flint
 
 from ...algebra import Quaternion, Structure, Tensor, Vector, matrix
 from ...algebra.element import NotExactError
-from ...algebra.exponentials import quaternion_exponential, tensor_exponential
-from ...algebra.first_principles import tensor_by_sandwich
+from ...algebra.first_principles import quaternion_exponential, tensor_by_sandwich, tensor_exponential
 from ...algebra.matrix import Matrix
 from ..numbers.balls import Ball, arb
 from ..numbers.fields import UndefinedError, innermost

@@ -12,7 +12,7 @@ from enum import Enum, auto
 from fractions import Fraction
 from functools import reduce
 from math import factorial
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from ...algebra import Dual, Quaternion, Tensor, Vector
 from ...algebra.first_principles import tensor_by_sandwich as rotation
@@ -194,10 +194,6 @@ def special(kind: Kind) -> dict[str, Numbers]:
         return dict(kind.special(Balls().pi))
 
 
-if TYPE_CHECKING:
-    from .generic import Generic
-
-
 class Role(Enum):
     """Role of a quantity in the choice of exact coordinates."""
 
@@ -207,7 +203,7 @@ class Role(Enum):
     TENSOR = auto()  # has generic entries; no frame is chosen
 
 
-Value = Callable[["Generic", str], Any]
+Value = Callable[[Any, str], Any]
 """Function that returns the generic value of a symbol, given its name."""
 
 

@@ -11,7 +11,7 @@ from collections.abc import Iterator
 from fractions import Fraction
 
 from ...algebra import Dual, Tensor, Vector
-from ..programs.value import Number
+from ..programs.program import Number
 from .kinematics import assembled
 from .point import NINE, TABLE, Geometry, Results, dual_tensor
 

@@ -1,4 +1,4 @@
-"""Displacements as a group: the adjoint, and Jacobians of moved points and lines and of compositions.
+"""Displacements as a group: the adjoint, Jacobians of moved points and lines and of compositions, change of branch.
 
 The twist is ``T v̇``: a moved line ``R l`` changes by ``T v̇ × R l``, and ``R(v) = R(v2) R(v1)`` gives
 ``T(v) v̇ = T(v2) v̇2 + R(v2) T(v1) v̇1``.
@@ -6,12 +6,17 @@ The twist is ``T v̇``: a moved line ``R l`` changes by ``T v̇ × R l``, and ``
 
 from __future__ import annotations
 
+import itertools
+from collections.abc import Sequence
+
 from ...algebra import Tensor, Vector
+from ..programs.program import Number
 from .calculus import matrix6
 from .forward import crossed, flat, rotated, rotation, rows_of, tensor, tensor_at, translation
 from .inverse import compose
 from .kinematics import opposite, tangent, tangent_at, tangent_inv
-from .point import TABLE, Geometry, Numbers, Results, dual_tensor
+from .point import LAYOUTS, TABLE, Geometry, Numbers, Point, Results, dual_tensor
+from .shadows import none_of, returned
 
 
 def dual_product(trace: Geometry) -> Results:
@@ -89,3 +94,36 @@ def _by_factors(trace: Geometry, second: Numbers, first: Numbers) -> tuple[Numbe
     T2, T1 = trace.apply(tangent, "T2{}", second), trace.apply(tangent, "T1{}", first)
     turned = trace.apply(dual_product, "R2T1{}", trace.apply(tensor, "R2{}", second), T1)
     return trace.apply(dual_product, "D2{}", back, T2), trace.apply(dual_product, "D1{}", back, turned)
+
+
+def switch(trace: Geometry) -> Results:
+    """Principal vector w with the rate J v̇ and the covariance J P Jᵀ, J = T(w)⁻¹ T(v); all as given if v is principal.
+
+    P and the result are symmetric: entries below the diagonal of P are read if v is principal only.
+    """
+    point, rate = trace.point(), trace.point("v_dot", "d").v
+    places = list(itertools.product(range(6), repeat=2))
+    P = trace.inputs("covariance", [f"P{i + 1}{j + 1}{'o' * (max(i, j) > 2)}" for i, j in places])
+    trace.inputs(TABLE, ())  # only the chart knows its length
+    beyond, found = returned(trace, point)
+    moved = tuple(trace.name(f"w{place}", c) for place, c in zip(LAYOUTS[6], found, strict=True))
+    one = point.name("one", sum((c - c for c in point.components), 1 + none_of(Point(trace, moved, "w"))))
+    J = _derivative(trace, point, moved)
+    fixed = [[P[6 * min(i, j) + max(i, j)] for j in range(6)] for i in range(6)]
+    half = [[trace.name(f"M{i}{j}", _dot(J[i], fixed[j])) for j in range(6)] for i in range(6)]
+    spread = {(i, j): trace.name(f"S{i}{j}", _dot(half[i], J[j])) for i, j in places if i <= j}
+    change = [_dot(row, (*rate.re, *rate.du)) for row in J]
+    kept = zip((*change, *(spread[min(at), max(at)] for at in places)), (*rate.re, *rate.du, *P), strict=True)
+    return *(one * c for c in moved), *(one * trace.where(beyond, new, old) for new, old in kept)
+
+
+def _derivative(trace: Geometry, point: Point, moved: tuple[Number, ...]) -> list[list[Number]]:
+    """Return the rows of T(w)⁻¹ T(v) as a real matrix, [[Re, 0], [Du, Re]]."""
+    back, T = trace.apply(tangent_inv, "back{}", moved), trace.apply(tangent, "T{}", point.components)
+    D = dual_tensor(trace.apply(dual_product, "D{}", back, T))
+    upper = [[*row, 0, 0, 0] for row in D.re.rows]
+    return upper + [[*du, *re] for re, du in zip(D.re.rows, D.du.rows, strict=True)]
+
+
+def _dot(a: Sequence[Number], b: Sequence[Number]) -> Number:
+    return sum((p * q for p, q in zip(a, b, strict=True)), start=0)

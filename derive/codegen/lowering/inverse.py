@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from ...algebra import Quaternion, Vector
 from ...maps.noise import NOISE_GIVEN, near_turn
-from ..programs.value import Number
+from ..programs.program import Number
 from .forward import rotated, rows_of, translation
 from .kinematics import opposite
 from .point import Geometry, Numbers, Point, Results

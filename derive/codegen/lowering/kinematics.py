@@ -7,7 +7,7 @@ slope times y = v·v°. Body forms are the transposes, which differ only in the 
 from __future__ import annotations
 
 from ...algebra import Tensor, Vector
-from ..programs.value import Number
+from ..programs.program import Number
 from .point import Geometry, Results
 
 

@@ -15,9 +15,8 @@ from functools import cache, cached_property
 from typing import NamedTuple
 
 from ...algebra import Dual, Tensor, Vector
-from ..programs.program import Call, Program, Statement
+from ..programs.program import Call, Number, Program, Statement, Value
 from ..programs.trace import Trace
-from ..programs.value import Number, Value
 from .scalar_programs import SCALARS, SQUARES
 
 Numbers = tuple[Number, ...]

@@ -13,9 +13,8 @@ from ...maps.chart import Chart, Followed
 from ...maps.multiple import FURTHER_POWERS, POWERS
 from ...maps.noise import NOISE_OF_ANGLE
 from ...maps.real_constants import number, plus
-from ..programs.program import Constant, Program
+from ..programs.program import Constant, Number, Program
 from ..programs.trace import Trace
-from ..programs.value import Number
 
 FORMULAS: Mapping[str, tuple[str, str, tuple[str, ...]]] = {
     "quaternion_scalars": (

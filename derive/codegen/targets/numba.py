@@ -21,13 +21,13 @@ from ..package import Data, Facts
 from ..programs.program import Call, Program
 from ..rows import Function, Table
 from ..validation import Library, runtime
-from . import infix
+from . import expression
 from .expression import WIDTH, Lists, items
 from .python import PythonFunction, PythonTarget, formula_of
 
 MOST_OUTPUTS = 9  # largest number of stores in a loop that LLVM still vectorizes
 TABLE = "table"  # argument of constants, equal for all poses; for some functions only the chart knows its length
-DIALECT = infix.python(prefix="", literal=lambda value: f"_m{-value}" if value < 0 else f"_{value}")
+DIALECT = expression.python(prefix="", literal=lambda value: f"_m{-value}" if value < 0 else f"_{value}")
 
 
 @dataclass(frozen=True, slots=True)
@@ -52,7 +52,7 @@ def loops(row: Function, program: Program) -> Loops:
 
 def _printed(program: Program, formula: str = "") -> PythonFunction:
     """Return a function whose arguments are tuples of components, numbers, or the table."""
-    body = infix.body(program, dialect=DIALECT, alone=True, ask=_ask, first=_first(program))
+    body = expression.body(program, dialect=DIALECT, alone=True, ask=_ask, first=_first(program))
     return PythonFunction(program.name, tuple(argument for argument, _ in program.inputs), body, formula)
 
 

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from functools import partial
 
 from ..lowered import geometry, lower_chart
-from ..lowering.dual_quaternions import LOCAL, PROGRAMS
+from ..lowering.forward import LOCAL, PROGRAMS
 from ..lowering.point import traced
 from ..lowering.scalar_programs import SCALARS, powers_of_factor
 from ..package import Data, Facts, fingerprint

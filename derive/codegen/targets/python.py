@@ -25,7 +25,7 @@ from ..rows import Function, Table, inside
 from ..signatures import JACOBIAN, POSES, ROTATIONS, SIDES
 from ..validation import NUMPY, Library, Machinery, replay, runtime, validate
 from ..validation.calls import require_calls
-from . import infix
+from . import expression
 
 INTERFACE = "_interface.py"
 CLASSES = {POSES: "PoseKernels", ROTATIONS: "RotationKernels"}  # classes of the documented interfaces, by table
@@ -192,7 +192,7 @@ def printed_program(program: Program, kernel: bool = False) -> PythonFunction:
     context = "m, c" if kernel else program.context
     given = (f"{name}: {'Any' if parts == (name,) else 'Components'}" for name, parts in program.inputs)
     parameters = (*(f"{name}: Any" for name in context.split(", ") if name), *given)
-    return PythonFunction(program.name, parameters, infix.body(program))
+    return PythonFunction(program.name, parameters, expression.body(program))
 
 
 def printed_scalars(chart: Chart, scalars: Mapping[str, Program]) -> dict[str, list[PythonFunction]]:
@@ -208,7 +208,7 @@ def printed_scalars(chart: Chart, scalars: Mapping[str, Program]) -> dict[str, l
 
 def _printed(program: Program, formula: str) -> PythonFunction:
     parameters = tuple(part for _, parts in program.inputs for part in parts)
-    body = infix.body(program, alone=True, ask=lambda call, passed: f"_{call.function}(m, {passed})")
+    body = expression.body(program, alone=True, ask=lambda call, passed: f"_{call.function}(m, {passed})")
     return PythonFunction(program.name, parameters, body, formula)
 
 

@@ -17,10 +17,9 @@ import sympy
 
 from ...algebra import Coefficient
 from ...algebra.arithmetic import PLAIN, Arithmetic
-from ..angle_of_length import real_value
-from ..families import alpha
+from ..angle import real_value
+from ..elementary import alpha, elementary
 from ..noise import NOISE
-from ..quotient import elementary
 from ..real_constants import Polynomial, plus, times
 from .intervals import Intervals
 from .phi_values import PhiValues

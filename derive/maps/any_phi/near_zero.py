@@ -21,10 +21,9 @@ from typing import Any
 import mpmath
 import sympy
 
-from ..angle_of_length import angle_of, real_value
-from ..elementary import evaluate
-from ..families import alpha
-from ..phi_error import PhiError
+from ..angle import angle_of, real_value
+from ..elementary import alpha, evaluate
+from ..grammar import PhiError
 from ..real_constants import Polynomial, polynomial
 from .edges import PHI_DIGITS, Edge
 from .intervals import Intervals, Undecided, precise

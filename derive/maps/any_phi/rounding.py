@@ -14,8 +14,8 @@ from typing import Any
 import mpmath
 import sympy
 
-from ..families import alpha
-from ..phi_error import PhiError
+from ..elementary import alpha
+from ..grammar import PhiError
 from .edges import Edge
 from .intervals import Intervals, Undecided, precise
 

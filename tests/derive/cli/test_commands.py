@@ -118,7 +118,7 @@ NOWHERE = "/proc/self/fd/no/file.svg"  # root too can write nothing there
 
 @pytest.mark.parametrize(
     ("command", "work"),
-    [("generate -n 2 -o", "derive.codegen.build.prove"), ("verify -o", "derive.cli.verify._report"),
+    [("generate -n 2 -o", "derive.codegen.build.prove"), ("verify -o", "derive.cli.verify._of_papers"),
      ("verify --claim 1==1 -o", "derive.cli.verify.check_sheets"),
      ("compare -n 2 --plot", "derive.pages.comparison.compared"),
      ("show --what sheet -o", "derive.pages.sheet_files.page")],
@@ -176,10 +176,10 @@ def hook(event, arguments):
         os.kill(os.getpid(), signal.SIGKILL)
 sys.addaudithook(hook)
 from derive.__main__ import main
-from derive.cli import generate
+from derive.cli import charts
 from derive.codegen import publish
 from tests.support.packages import unvalidated
-generate.cores = lambda: 1
+charts.cores = lambda: 1
 publish.TARGETS = {"numpy": unvalidated(publish.TARGETS["numpy"])}
 sys.exit(main())
 """

@@ -22,7 +22,7 @@ def test_process_has_exit_code_and_separate_streams():
     assert "Missing option '-n'" in done.stderr
 
 
-@pytest.mark.parametrize("place", ["derive.cli.show.show", "derive.cli.run"])
+@pytest.mark.parametrize("place", ["derive.cli.charts.show", "derive.cli.run"])
 def test_interrupt_prints_one_line_and_exits_with_130(place: str):
     module, _, name = place.rpartition(".")
     code = (

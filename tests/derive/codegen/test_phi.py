@@ -28,7 +28,7 @@ from derive.codegen.validation.float_cases import cases
 from derive.codegen.validation.loading import loaded, module_of
 from derive.codegen.validation.vectors import Vectors
 from derive.maps import PhiError, family, parameterization
-from derive.maps.families import alpha
+from derive.maps.elementary import alpha
 from derive.maps.real_constants import BITS, LEVELS, polynomial
 from derive.output import files
 from derive.proof import prove

@@ -17,7 +17,7 @@ from derive.maps import Cayley, polynomials
 from derive.maps.any_phi import intervals, near_zero
 from derive.maps.any_phi.expressions import parsed
 from derive.maps.cayley_scalars import HORNER_LIMIT, chain
-from derive.maps.families import alpha
+from derive.maps.elementary import alpha
 from derive.maps.polynomials import FIELD, RING_X, horner, rational, x
 
 

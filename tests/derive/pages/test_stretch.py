@@ -10,13 +10,13 @@ import numpy as np
 import pytest
 import sympy
 
+from benchmarks.nearest import best, bound, searched
 from derive import about
 from derive.codegen import catalogue
 from derive.maps import Cayley, family, parameterization
-from derive.maps.families import alpha
+from derive.maps.elementary import alpha
 from derive.pages import comparison_forms
-from derive.pages.comparison import MEASURED, MEASUREMENTS, TIMED, Compared
-from derive.pages.stretch import best, bound, stretch
+from derive.pages.comparison import MEASURED, MEASUREMENTS, NEAREST, TIMED, Compared, measurements, stretch
 from dualcay import cayley2, exponential, lambert
 from tests.support.command import ROOT, dualcay
 
@@ -138,6 +138,10 @@ def test_refusals_are_usage_errors(arguments: tuple[str, ...], reason: str):
 def test_committed_page_is_current():
     done = dualcay("compare", "--format", "markdown")
     assert done.stdout == (ROOT / "docs" / "parameterizations.md").read_text(encoding="utf-8")
+
+
+def test_measured_phi_are_those_that_the_search_finds():
+    assert measurements(NEAREST) == searched()
 
 
 def test_measurements_cover_every_committed_chart_within_the_gate():

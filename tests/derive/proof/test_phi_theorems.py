@@ -12,7 +12,7 @@ import sympy
 from derive.algebra import Isotropic, Tensor, Vector
 from derive.algebra.arithmetic import PLAIN
 from derive.maps import Cayley, family, x
-from derive.maps.families import alpha
+from derive.maps.elementary import alpha
 from derive.proof import ProofFailed, prove, root_of, scalars
 from derive.proof.displacement_theorems import DOUBLE_ANGLE, EXPONENTIAL, VERSOR_EXPONENTIAL
 from derive.proof.limit_theorems import GROWING_ORDER

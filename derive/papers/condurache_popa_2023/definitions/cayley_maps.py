@@ -8,15 +8,15 @@ from typing import Any
 
 from ....algebra import Quaternion, Tensor, Vector, first_principles, real_part
 from ....claims.language import values
-from ....claims.language.common_definitions import condition
 from ....claims.language.environment import Env
-from ....claims.numbers.every_order import EveryOrder
 from ....claims.numbers.fields import UndefinedError, innermost
+from ....claims.numbers.generic import EveryOrder
 from ....maps import Cayley
 from ....maps.chart import Chart
+from ....maps.elementary import alpha as angle_of_phi
 from ....maps.elementary import evaluate
-from ....maps.families import alpha as angle_of_phi
 from ....proof.proved import citing
+from .dual_algebra import condition
 from .motions import half_angle
 from .orders import cayley
 
