@@ -3,20 +3,21 @@
 from __future__ import annotations
 
 import random
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from functools import cached_property
+from itertools import chain
 from typing import Any
 
 from ...algebra import Dual, Structure
 from ...algebra.element import NotExactError
 from ..equation import Entry
 from ..language.environment import Env
-from ..language.operator_table import both, epsilon, equal
+from ..language.operator_table import both, epsilon, equal, negated
 from ..language.printed import Symbol, Term, Trait, rate_depth, symbols, walk, with_trait
 from ..numbers.balls import PRECISIONS, Ball, Balls, BlurredError, arb, precision
-from ..numbers.fields import Field
+from ..numbers.fields import Constants, Field
 from ..numbers.kinds import BRANCH, KINDS, ORDER, SIGN, Kind, Numbers, jet
 
 RATES_MAX = 2
@@ -47,6 +48,12 @@ class Place:
     parts: Mapping[Symbol, Numbers] = field(default_factory=dict)  # dual parts and rates, if not by a fixed seed
     values: Mapping[Symbol, Any] = field(default_factory=dict)  # values that coordinates do not reach
     pair: bool = False
+
+    @property
+    def exact(self) -> bool:
+        """Whether all numbers are rational."""
+        rows = chain(((c if isinstance(c, Iterable) else (c,)) for c in self.at.values()), self.parts.values())
+        return not self.values and all(isinstance(c, int | Fraction) for row in rows for c in row)
 
 
 @dataclass(frozen=True)
@@ -162,9 +169,18 @@ class Claim:
     def truth(self, place: Place, statement: Term | None = None) -> bool | None:
         """Return whether the claim, or another statement, is true at a point; None where it has no value.
 
-        Raise `BlurredError` if even the second precision does not tell.
+        Raise `BlurredError` if neither the second precision nor exact numbers tell.
         """
-        found: bool | None = self.evaluated(place, self.statement if statement is None else statement, bool)
+        part = self.statement if statement is None else statement
+        try:
+            found: bool | None = self.evaluated(place, part, bool)
+        except BlurredError:
+            if not place.exact:
+                raise
+            try:
+                return bool(self.env(place, Constants()).value(part))
+            except (ArithmeticError, TypeError, AttributeError) as error:
+                raise BlurredError from error
         return found
 
     def evaluated(self, place: Place, part: Term, form: Any = lambda a: a) -> Any:
@@ -176,14 +192,18 @@ class Claim:
                 except NotExactError:
                     raise
                 except ArithmeticError:
-                    return None
+                    if bits == PRECISIONS[-1] or not place.exact:  # else a number may only be too near 0
+                        return None
                 except BlurredError:
                     continue
         raise BlurredError
 
     def inside(self, place: Place) -> bool:
-        """Return whether a point lies in the stated domain."""
-        return self.entry.claimed is None or bool(self.truth(place, self.entry.claimed))
+        """Return whether a point lies in the stated domain; an overlap of balls tells only of a point moved there."""
+        domain = self.entry.claimed
+        if domain is None or not (place.exact or not self.constraints):
+            return domain is None or bool(self.truth(place, domain))
+        return bool(self.truth(place, negated(negated(domain))))
 
     def with_statement(self, statement: Term) -> Claim:
         """Return another claim about the same letters."""

@@ -13,13 +13,14 @@ from typing import Any
 
 from ...algebra.element import NotExactError
 from ..language.environment import Env
+from ..language.matrices import inverse
 from ..language.operator_table import both
 from ..language.printed import Symbol, Term, Trait, with_trait
-from ..language.written import written
+from ..language.operations import written
 from ..numbers.generators import Generators
 from ..numbers.kinds import ORDER
-from ..numbers.residues import Residues, UnluckyError
-from .claim import Claim, kind
+from ..numbers.residues import SURE_BITS, Residues, UnluckyError
+from .claim import Claim, kind, operators
 from .polar import Polar, bounds
 from .proof import steps_of
 
@@ -27,7 +28,24 @@ PRIMES_MAX = 40
 """Largest number of primes that are tried for one with all roots."""
 TESTS = 2**20
 """More equalities than a proof tests."""
+MODULO = "proved modulo a random prime"
+ROTATION, PRODUCT = "rotation", "S of rotations"
+CUT = frozenset(("floor of number", "or", "negated", "implies"))
+"""Operators that jump: a claim that is true at generic values may be false at special ones."""
 Make = Callable[..., Generators]
+
+
+def identical(claim: Claim) -> str | None:
+    """Return how a claim is proved at independent generators, "exact" or modulo a prime, or None."""
+    if claim.dual or claim.constraints or not CUT.isdisjoint(operators(claim.statement)):
+        return None
+    for prove, how in ((proved_exactly, "exact"), (proved_modulo, f"{MODULO}, error < 2^-{SURE_BITS}")):
+        try:
+            if prove(claim):
+                return how
+        except NotExactError:
+            continue
+    return None
 
 
 def proved_modulo(claim: Claim) -> bool:
@@ -51,14 +69,12 @@ def _for_all_signs(claim: Claim, make: Make) -> bool:
 
     Raise NotExactError if the field cannot tell.
     """
-    if claim.dual or claim.constraints:
-        raise NotExactError("dual numbers, or equations in the domain")
-    domain = [] if claim.entry.claimed is None else _conjuncts(claim.entry.claimed)
+    claim, _ = with_free_product(claim)
     for fixed in claim.choices:
         waiting: list[tuple[int, ...]] = [()]
         while waiting:
             signs = waiting.pop()
-            field = _evaluated(claim, make, fixed, signs, domain)
+            field = _evaluated(claim, make, fixed, signs)
             if field is None:
                 return False
             waiting += [(*field.signs[:i], -1) for i in range(len(signs), len(field.roots))]
@@ -70,44 +86,59 @@ def _conjuncts(domain: Term) -> list[Term]:
 
 
 def _evaluated(
-    claim: Claim, make: Make, fixed: Mapping[Symbol, int], signs: Sequence[int], domain: Sequence[Term]
+    claim: Claim, make: Make, fixed: Mapping[Symbol, int], signs: Sequence[int]
 ) -> Generators | None:
     """Return the field if the claim is true with these signs of the first roots, else None."""
-    steps = lcm(steps_of(claim.statement), *(4 * n for a, n in fixed.items() if a.quantity is ORDER))
-    letters = Polar(claim.coordinates, claim.depth, bounds(domain), partial(make, steps=steps, signs=signs))
-    values = letters.values | _related(claim, letters.values)
-    env = Env(letters.field, values | dict(fixed), claim.entry.definitions, False, claim.depth)
+    env = setting(claim, make, fixed, signs)
     try:
         true = env.value(claim.statement)
-    except NotExactError:
+    except (NotExactError, UnluckyError):
         raise
     except (ArithmeticError, TypeError, AttributeError) as error:
-        if isinstance(error, UnluckyError):
-            raise
         raise NotExactError("no generic value") from error
-    if isinstance(letters.field, Residues) and not letters.field.certain(TESTS):
+    field: Any = env.field
+    if isinstance(field, Residues) and not field.certain(TESTS):
         raise NotExactError("a formula too large for the prime")
-    return letters.field if true else None
+    return field if true else None
 
 
-def _related(claim: Claim, values: Mapping[Symbol, Any]) -> dict[Symbol, Any]:
-    """Return R = S K for rotations R, K and a free S if the claim has the logarithm of ``R*inverse(K)``, or alike.
+def setting(claim: Claim, make: Make, fixed: Mapping[Symbol, int], signs: Sequence[int] = ()) -> Env:
+    """Return the environment of a claim over independent generators, for one choice of orders."""
+    domain = [] if claim.entry.claimed is None else _conjuncts(claim.entry.claimed)
+    steps = lcm(steps_of(claim.statement), *(4 * n for a, n in fixed.items() if a.quantity is ORDER))
+    letters = Polar(claim.coordinates, claim.depth, bounds(domain), partial(make, steps=steps, signs=signs))
+    return Env(letters.field, letters.values | dict(fixed), claim.entry.definitions, False, claim.depth)
+
+
+def with_free_product(claim: Claim, *further: Term) -> tuple[Claim, tuple[Term, ...]]:
+    """Return a claim and further terms with a rotation S for ``R*inverse(K)`` in a logarithm, and R = S K.
 
     The logarithm of a product of two rotations in polar form is no rational function.
     """
-    for node in with_trait(Trait.TRANSCENDENTAL, claim.statement):
-        if node.operator.name != "log" or node.arguments[0].operator.name != "times":
+    found = next(filter(None, map(_product_of_rotations, with_trait(Trait.TRANSCENDENTAL, claim.statement))), None)
+    if found is None:
+        return claim, further
+    node, moved, product = found
+    letter = Symbol(PRODUCT, ROTATION, PRODUCT, PRODUCT)
+    a, b = node.arguments
+    opposite = b.arguments[0] * inverse(a) if isinstance(a, Symbol) else inverse(b) * a.arguments[0]
+    shown = [part.xreplace({node: letter, opposite: inverse(letter)}).xreplace({moved: product})
+             for part in (claim.statement, *further)]  # fmt: skip
+    return claim.with_statement(shown[0]), tuple(shown[1:])
+
+
+def _product_of_rotations(node: Term) -> tuple[Term, Symbol, Term] | None:
+    """Return the product in a logarithm, its letter that moves, and this letter by the product and the other one."""
+    inner = node.arguments[0]
+    if node.operator.name != "log" or inner.operator.name != "times" or len(inner.arguments) != 2:
+        return None
+    a, b = inner.arguments
+    product = Symbol(PRODUCT, ROTATION, PRODUCT, PRODUCT)
+    for one, other, left in ((a, b, False), (b, a, True)):
+        base = other.arguments[0] if other.operator.name in ("inverse", "transpose") else None
+        if not (isinstance(one, Symbol) and isinstance(base, Symbol) and one.quantity.name.endswith("rotation")):
             continue
-        a, b = node.arguments[0].arguments[:2]
-        for one, other, left in ((a, b, False), (b, a, True)):
-            if not isinstance(one, Symbol) or other.operator.name not in ("inverse", "transpose"):
-                continue
-            (base,) = other.arguments
-            if not isinstance(base, Symbol) or one not in values or base not in values:
-                continue
-            moved, fixed = (base, one) if kind(one).constant else (one, base)
-            product = values[fixed] @ values[moved] if left else values[moved] @ values[fixed]
-            if moved is base:
-                product = values[fixed] @ values[moved].transpose if left else values[moved].transpose @ values[fixed]
-            return {moved: product}
-    return {}
+        if kind(one).constant:
+            return inner, base, one * inverse(product) if left else inverse(product) * one
+        return inner, one, base * product if left else product * base
+    return None

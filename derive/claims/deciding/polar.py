@@ -18,8 +18,9 @@ from ...algebra.element import NotExactError
 from ...algebra.first_principles import tensor_by_sandwich
 from ...algebra.matrix import shaped
 from ..language.printed import Number, Symbol, Term
-from ..numbers.generators import Bound, Generators
+from ..numbers.generators import Generators
 from ..numbers.kinds import KINDS, jet, sphere
+from ..numbers.signed import Bound
 
 POSITIVE = (sympy.Integer(0), sympy.oo)
 HALF_TURN = (sympy.Integer(0), sympy.pi)

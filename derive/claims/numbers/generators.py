@@ -21,102 +21,15 @@ from typing import Any
 import sympy
 
 from ...algebra.element import Element, NotExactError
-from ...algebra.exact import RationalFunctions
 from .fields import Field
+from .signed import Bound, Signed
 
 POOLS = {"tangent": 7, "exponential": 2, "root": 4, "logarithm": 4, "angle": 4, "turn": 3}
 """Number of generators of the exact field that are given a meaning when a formula needs one; a turn is an integer."""
 ROOTS_MAX = 5
 """Largest number of roots of unknown sign."""
-TERMS_MAX = 2000
-"""Largest number of terms of a polynomial; a proof modulo a prime has no such limit."""
-MARGIN = Fraction(1, 10**9)
-"""Distance between a rational bound and the end of a range for which it stands."""
-
-Bound = Any  # SymPy's number, a multiple of π or rational; ∞ if there is none
 Monomial = tuple[tuple[str, int], ...]
 """Generators with their exponents."""
-
-
-class Signed(RationalFunctions):
-    """Rational functions of generators in open intervals; only numbers of one sign there have a sign."""
-
-    def __init__(self, names: Sequence[str], ranges: Mapping[str, tuple[Bound, Bound]]) -> None:
-        point = {name: Fraction(int(sympy.prime(i + 5)), 7) for i, name in enumerate(names)}
-        super().__init__(names, point | {"pi": Fraction(355, 113)})
-        self.ranges: dict[str, tuple[Bound, Bound]] = {}
-        self._ends: dict[str, Any] = {}
-        for name, (low, high) in ranges.items():
-            self.restrict(name, low, high)
-
-    def restrict(self, name: str, low: Bound, high: Bound, ends: Any = None) -> None:
-        """Set the interval of a generator; the polynomial `ends` vanishes at irrational ends and nowhere beside them."""
-        self.ranges[name], self._ends[name] = (low, high), ends
-        self.point[name] = _between(low, high)
-
-    def reduced(self, a: Any) -> Any:
-        """Return the form of a product that is stored; raise if it is too large to go on with."""
-        if len(a) > TERMS_MAX:
-            raise NotExactError(f"a formula with more than {TERMS_MAX} terms")
-        return self.normal_form(a)
-
-    def value(self, a: Any) -> Fraction:
-        """Return the value at the reference point of a polynomial that has one sign."""
-        if not self.definite(a):
-            raise NotExactError("a number whose sign differs from place to place")
-        return super().value(a)
-
-    def definite(self, a: Any) -> bool:
-        """Return whether each factor of odd power has one sign, but for zeros at ends of the intervals."""
-        return all(self._definite(factor) for factor, power in self.library.factors(a) if power % 2)
-
-    def _definite(self, factor: Any) -> bool:
-        terms = self.library.terms(factor)
-        used = {i for powers in terms for i, power in enumerate(powers) if power}
-        positive = [self._positive(name) for name in self.names]
-        even = all(power % 2 == 0 or sign for powers in terms for power, sign in zip(powers, positive, strict=True))
-        if even and len({c > 0 for c in terms.values()}) == 1:
-            return True
-        if len(used) != 1 or self.names[next(iter(used))] not in self.ranges:
-            return False
-        (i,) = used
-        return self._has_no_root(self.names[i], {powers[i]: c for powers, c in terms.items()})
-
-    def _positive(self, name: str) -> bool:
-        return name in self.ranges and self.ranges[name][0] == 0
-
-    def _has_no_root(self, name: str, terms: Mapping[int, Fraction]) -> bool:
-        """Return whether a polynomial in one generator has no root in its open interval, by Sturm's theorem."""
-        x, (low, high) = sympy.Symbol("x"), self.ranges[name]
-        a = sympy.Poly({(k,): sympy.Rational(c.numerator, c.denominator) for k, c in terms.items()}, x)
-        for end in (low, high):
-            while end.is_Rational and a.degree() > 0 and a.eval(end) == 0:
-                a = a.quo(sympy.Poly(x - end, x))
-        at_ends = sympy.gcd(a, self._ends[name].as_poly(x)) if self._ends[name] is not None else sympy.Poly(1, x)
-        while at_ends.degree() > 0 and (rest := a.gcd(at_ends)).degree() > 0:
-            a = a.quo(rest)
-        inner, outer = (_rational(low, high, margin) for margin in (MARGIN, -MARGIN))
-        return a.count_roots(*outer) == 0 and (at_ends.degree() < 1 or at_ends.count_roots(*inner) == 0)
-
-
-def _between(low: Bound, high: Bound) -> Fraction:
-    """Return a number in an interval, one third of the way if both ends are finite."""
-    if low.is_finite and high.is_finite:
-        low, high = Fraction(str(low.evalf(30))), Fraction(str(high.evalf(30)))
-        return Fraction((2 * low + high) / 3)
-    return Fraction(str(low)) + 3 if low.is_finite else Fraction(str(high)) - 3 if high.is_finite else Fraction(3)
-
-
-def _rational(low: Bound, high: Bound, margin: Fraction) -> tuple[Bound, Bound]:
-    """Return rational bounds inside an interval, or outside it if the margin is negative; rational ones stay."""
-    shift = sympy.Rational(margin.numerator, margin.denominator)
-
-    def near(end: Bound, sign: int) -> Bound:
-        if end.is_Rational or not end.is_finite:
-            return end if end.is_finite else None
-        return sympy.Rational(str(end.evalf(30))) + sign * shift
-
-    return near(low, 1), near(high, -1)
 
 
 class Generators(Field):
@@ -151,7 +64,7 @@ class Generators(Field):
         """Return the generators for a tangent, an exponential, a root, a logarithm, an angle or a number of turns."""
         return [f"{what} {i}" for i in range(self.pools[what])]
 
-    # ---- numbers, which a field modulo a prime has otherwise ----------------------------------------------------------
+    # ---- numbers, which a field modulo a prime has otherwise ----------------------------------------------------------------
 
     def symbol(self, name: str) -> Any:
         return self.ring.symbol(name)
@@ -202,15 +115,14 @@ class Generators(Field):
             self.ring.restrict(name, sympy.Integer(0) if low == 0 else -top, top, self._ends(high))
 
     def _ends(self, high: Bound) -> Any:
-        """Return the polynomial in a tangent that vanishes where its angle is the end `high`, a multiple of π."""
-        turns = high / sympy.pi
-        if not turns.is_Rational:
+        """Return the polynomial in a tangent that vanishes where its angle is `high`, a multiple of π."""
+        if not (high / sympy.pi).is_Rational:
             return None
         x = sympy.Symbol("x")
-        return sympy.im(sympy.expand((1 + sympy.I * sympy.Symbol("x", real=True)) ** (2 * self.steps * turns.q))).subs(
-            sympy.Symbol("x", real=True), x)  # fmt: skip
+        power = sympy.Poly((1 + sympy.I * x) ** (2 * self.steps * (high / sympy.pi).q), x, extension=sympy.I)
+        return sum(sympy.im(c) * x**k for (k,), c in power.terms())
 
-    # ---- roots ----------------------------------------------------------------------------------------------------------
+    # ---- roots ----------------------------------------------------------------
 
     def same(self, a: Any, b: Any) -> bool:
         return not self.element(a - b)
@@ -238,7 +150,7 @@ class Generators(Field):
         self.signs += [1] * (len(self.roots) - len(self.signs))
         return root * self.signs[len(self.roots) - 1]
 
-    # ---- angles and exponents -------------------------------------------------------------------------------------------
+    # ---- angles and exponents ----------------------------------------------------------------
 
     def _sin(self, a: Any) -> Any:
         return self._circle(self.element(a))[1]
@@ -315,7 +227,7 @@ class Generators(Field):
         self.logarithms.append((a, self.symbol(self._next("logarithm"))))
         return self.logarithms[-1][1]
 
-    # ---- inverse functions ------------------------------------------------------------------------------------------------
+    # ---- inverse functions ----------------------------------------------------------------
 
     def _interval(self, monomial: Monomial) -> tuple[Bound, Bound]:
         """Return the interval of a monomial: that of a name, else all numbers."""

@@ -163,7 +163,7 @@ class Residues(Generators):
         doubt = Fraction(tests * degree, 2 ** (PRIME_BITS - 1)) + Fraction(tests * bits, 2 ** (PRIME_BITS - 10))
         return doubt < Fraction(1, 2**SURE_BITS)
 
-    # ---- numbers --------------------------------------------------------------------------------------------------------
+    # ---- numbers ----------------------------------------------------------------
 
     def symbol(self, name: str) -> Residue:
         value = random.Random(f"{self.seed} {name}").randrange(self.prime)
@@ -186,7 +186,7 @@ class Residues(Generators):
     def absolute(self, a: Any) -> Any:
         return self.chosen(a) if isinstance(a, Residue) else super(Generators, self).absolute(a)
 
-    # ---- roots and signs ------------------------------------------------------------------------------------------------
+    # ---- roots and signs ----------------------------------------------------------------
 
     @cached_property
     def _positive(self) -> dict[int, Residue]:
