@@ -14,12 +14,13 @@ from ...algebra import Dual, Structure
 from ...algebra.element import NotExactError
 from ..equation import Entry
 from ..language.environment import Env
-from ..language.operator_table import both, epsilon, equal, negated
-from ..language.printed import Symbol, Term, Trait, rate_depth, symbols, walk, with_trait
+from ..language.operator_table import both, cos, epsilon, equal, negated, sin
+from ..language.printed import Apply, Number, Symbol, Term, Trait, rate_depth, symbols, walk, with_trait
 from ..numbers.balls import PRECISIONS, Ball, Balls, BlurredError, arb, precision
 from ..numbers.fields import Constants, Field
 from ..numbers.kinds import BRANCH, KINDS, ORDER, SIGN, Kind, Numbers, jet
 
+RELATIONS = frozenset(("less", "at most", "greater", "at least", "unlike", "equal", "nonzero"))
 RATES_MAX = 2
 """Highest order of a time derivative for which letters have rates."""
 FURTHER = tuple(map(Fraction, (-3, -2, -1, 1, 2, 3)))
@@ -48,6 +49,7 @@ class Place:
     parts: Mapping[Symbol, Numbers] = field(default_factory=dict)  # dual parts and rates, if not by a fixed seed
     values: Mapping[Symbol, Any] = field(default_factory=dict)  # values that coordinates do not reach
     pair: bool = False
+    zero: Term | None = None  # number that certainly vanishes somewhere in the balls of the coordinates
 
     @property
     def exact(self) -> bool:
@@ -169,16 +171,18 @@ class Claim:
     def truth(self, place: Place, statement: Term | None = None) -> bool | None:
         """Return whether the claim, or another statement, is true at a point; None where it has no value.
 
-        Raise `BlurredError` if neither the second precision nor exact numbers tell.
+        Raise `BlurredError` if neither the second precision, nor exact numbers, nor a certain zero tell.
         """
         part = self.statement if statement is None else statement
         try:
             found: bool | None = self.evaluated(place, part, bool)
         except BlurredError:
-            if not place.exact:
+            field = Constants() if place.exact else Balls(loose=True) if place.zero in _related(part) else None
+            if field is None:
                 raise
             try:
-                return bool(self.env(place, Constants()).value(part))
+                with precision(PRECISIONS[0]):
+                    return bool(self.env(place, field).value(part))
             except (ArithmeticError, TypeError, AttributeError) as error:
                 raise BlurredError from error
         return found
@@ -210,6 +214,15 @@ class Claim:
         return replace(self, statement=statement)
 
 
+def _related(statement: Term) -> tuple[Term, ...]:
+    """Return the difference of both sides of a statement's only relation, which decides it; else nothing."""
+    relations = [node for node in walk(statement) if node.operator.name in RELATIONS]
+    if len(relations) != 1:
+        return ()
+    a, *rest = relations[0].arguments
+    return (bare(a if not rest or rest[0] == Number(0) else a - rest[0]),)
+
+
 def kind(letter: Symbol) -> Kind:
     """Return the kind of a letter."""
     return KINDS[letter.quantity.name]
@@ -233,3 +246,36 @@ def _equations(domain: Term) -> Iterator[Term]:
 def operators(*statements: Term) -> set[str]:
     """Return the names of the operators of statements."""
     return {node.operator.name for statement in statements for node in walk(statement)}
+
+
+def bare(part: Term) -> Term:
+    """Return a part without signs, brackets, powers, magnitudes and divisors, which vanishes at the same points."""
+    part = _quotient(part)[0]
+    name, arguments = part.operator.name, part.arguments
+    power = name == "power" and isinstance(arguments[1], Number) and arguments[1].value > 0
+    return bare(arguments[0]) if power or name in ("negative", "bracket", "norm", "root", "Re") else part
+
+
+def _quotient(part: Term) -> tuple[Term, Term | None]:
+    """Return a term as numerator and divisor; without a divisor the term itself and None."""
+    name, arguments = part.operator.name, part.arguments
+    if name in ("tan", "cot"):
+        above, below = (sin, cos) if name == "tan" else (cos, sin)
+        return above(*arguments), below(*arguments)
+    if name not in ("plus", "minus", "times", "over", "negative", "bracket"):
+        return part, None
+    (a, b), *rest = map(_quotient, arguments)
+    if not rest:
+        return (part, None) if b is None else (-a if name == "negative" else a, b)
+    ((c, d),) = rest
+    if name == "over":
+        return _product(a, d), _product(c, b)
+    if b is None and d is None:
+        return part, None
+    if name == "times":
+        return Apply("times", a, c), _product(b, d)
+    return Apply(name, _product(a, d), _product(c, b)), _product(b, d)
+
+
+def _product(a: Term | None, b: Term | None) -> Any:
+    return b if a is None else a if b is None else a * b

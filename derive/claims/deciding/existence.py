@@ -12,7 +12,7 @@ from dataclasses import field as of_class
 from typing import Any
 
 from ...algebra import Structure, Tensor
-from ...algebra.element import Element, NotExactError
+from ...algebra.element import Element
 from ...algebra.matrix import Matrix
 from ..language.environment import Env
 from ..language.operator_table import both, cos, det, norm, sin
@@ -20,13 +20,8 @@ from ..language.printed import Number, Symbol, Term, Trait
 from ..numbers.fields import innermost
 from ..numbers.generators import Generators
 from .claim import Claim
-from .identity import setting, with_free_product
+from .identity import ABSENT, STRICT, difference, not_negative, setting, with_free_product
 from .singular import size
-
-STRICT = {"less": True, "at most": False, "greater": True, "at least": False}
-"""Order relations, with whether they exclude equality."""
-ABSENT = (ArithmeticError, TypeError, AttributeError, KeyError, ValueError, IndexError)
-"""Errors of a number that this field does not have."""
 
 
 @dataclass(frozen=True)
@@ -35,7 +30,6 @@ class Signs:
 
     env: Env
     nonzero: list[Any] = of_class(default_factory=list)
-    known: list[Element] = of_class(default_factory=list)  # numbers that are not negative
     named: list[Term] = of_class(default_factory=list)  # terms that are not 0
 
     @property
@@ -58,11 +52,11 @@ class Signs:
         name, arguments = part.operator.name, part.arguments
         try:
             if name in ("unlike", "nonzero"):
-                self.named.extend([_difference(part), *(a for a in arguments[:1] if len(arguments) == 1)])
-                self.nonzero.extend(self.ring.factors(self.number(_difference(part))))
+                self.named.extend([difference(part), *(a for a in arguments[:1] if len(arguments) == 1)])
+                self.nonzero.extend(self.ring.factors(self.number(difference(part))))
             elif name in STRICT:
-                gap = self.number(_difference(part), innermost)
-                self.known.append(gap if name in ("greater", "at least") else -gap)
+                gap = self.field.element(not_negative(self.env, part))
+                self.field.assumed.append(gap)
                 self.nonzero.extend(self.ring.factors(gap) if STRICT[name] else [])
             elif name in ("both", "and"):
                 for one in arguments:
@@ -78,22 +72,17 @@ class Signs:
             for factor in self.ring.factors(a) if factor != one
         )  # fmt: skip
 
-    def sign(self, a: Element) -> int:
-        """Return the sign that a number has or that is 0, or 0 if none is proved."""
-        if not a:
-            return 1
-        for known in [None, *self.known]:
-            try:
-                quotient = a if known is None or not known else a / known
-                return int(quotient.sign()) or 1
-            except NotExactError:
-                continue
-        return 0
-
-
-def _difference(part: Term) -> Term:
-    a, *rest = part.arguments
-    return a if not rest or rest[0] == Number(0) else a - rest[0]
+    def not_negative(self, a: Element) -> bool:
+        """Return whether a number is proved to be 0 or positive, for ``a - b r`` with a root r by the squares."""
+        if not a or self.field.is_positive(a):
+            return True
+        for name in self.field.roots_used():
+            i = self.ring.index(name)
+            lone = self.ring.fraction(a.numerator.derivative(i), a.denominator)
+            rest, r = a - lone * self.field.symbol(name), self.field.symbol(name)
+            if self.field.is_positive(rest) and self.not_negative(rest * rest - lone * lone * r * r):
+                return True
+        return False
 
 
 def signs_of(claim: Claim, condition: Sequence[Term] = ()) -> list[Signs]:
@@ -101,7 +90,7 @@ def signs_of(claim: Claim, condition: Sequence[Term] = ()) -> list[Signs]:
     found = []
     for fixed in claim.choices:
         domain = [] if claim.entry.claimed is None else [claim.entry.claimed]
-        signs = Signs(setting(claim, Generators, fixed))
+        signs = Signs(setting(claim, Generators, fixed, real=True))
         for part in (*domain, *condition):
             signs.assume(part)
         found.append(signs)
@@ -114,13 +103,15 @@ def undecided_parts(claim: Claim, condition: Sequence[Term] = ()) -> list[Term]:
     try:
         every = signs_of(claim, condition)
     except ABSENT:
-        return list(dict.fromkeys(part for part, _ in _partial(claim.statement, claim.depth)))
-    open_parts = [part for part, asked in _partial(claim.statement, claim.depth)
+        return list(dict.fromkeys(part for part, _ in _partial(claim.statement, bool(claim.depth or claim.dual))))
+    open_parts = [part for part, asked in _partial(claim.statement, bool(claim.depth or claim.dual))
                   if not all(_has_value(signs, part, asked) for signs in every)]  # fmt: skip
     return list(dict.fromkeys(open_parts))
 
 
 def _has_value(signs: Signs, part: Term, asked: str) -> bool:
+    if asked == "not 0" and (_is_invertible(part) or _is_named(part, signs.named)):
+        return True
     try:
         value = signs.env.value(part)
         if asked == "logarithm" and isinstance(value, Tensor | Matrix):
@@ -128,14 +119,12 @@ def _has_value(signs: Signs, part: Term, asked: str) -> bool:
             return signs.is_nonzero(signs.field.element(innermost(signs.env.now(turned))))
         if asked == "logarithm" and isinstance(value, Structure):
             return signs.is_nonzero(signs.number(part))
-        if asked == "not 0" and (_is_invertible(part) or _is_named(part, signs.named)):
-            return True
         if asked == "not 0":
             return signs.is_nonzero(signs.number(part))
         number = signs.number(part, innermost)
         if asked == "within 1":
             number = 1 - number * number
-        return signs.sign(number) > 0 and (asked != "logarithm" or signs.is_nonzero(number))
+        return signs.not_negative(number) and (asked != "logarithm" or signs.is_nonzero(number))
     except ABSENT:
         return False
 
@@ -174,7 +163,7 @@ def _is_named(part: Term, named: Sequence[Term]) -> bool:
     return name == "times" and all(isinstance(a, Number) or _is_named(a, named) for a in arguments)
 
 
-def _partial(statement: Term, depth: int) -> Iterator[tuple[Term, str]]:
+def _partial(statement: Term, moving: bool) -> Iterator[tuple[Term, str]]:
     """Yield the terms on which a partial operation of a statement depends, with what it asks of them."""
     for node in _evaluated_nodes(statement):
         name, arguments = node.operator.name, node.arguments
@@ -182,11 +171,11 @@ def _partial(statement: Term, depth: int) -> Iterator[tuple[Term, str]]:
             yield arguments[1], "not 0"
         elif name == "power" and not (isinstance(arguments[1], Number) and arguments[1].value >= 0):
             exponent = arguments[1]
+            if exponent.operator.name != "over" or exponent.arguments[1] != Number(2):
+                yield arguments[0], "not 0"
             if exponent.operator.name == "over":
                 yield arguments[0], "not negative"
-            if not isinstance(exponent, Symbol):
-                yield arguments[0], "not 0"
-        elif name == "inverse" or (name == "norm" and depth):
+        elif name == "inverse" or (name == "norm" and moving):
             yield arguments[0], "not 0"
         elif name == "root":
             yield arguments[0], "not negative"
@@ -213,9 +202,8 @@ def _is_true(signs: Signs, statement: Term) -> bool:
     if Trait.JOINS in statement.operator.traits or statement.operator is both:
         return all(_is_true(signs, part) for part in statement.arguments)
     if name == "unlike":
-        return signs.is_nonzero(signs.number(_difference(statement)))
+        return signs.is_nonzero(signs.number(difference(statement)))
     if name not in STRICT:
         return bool(signs.env.value(statement))
-    gap = signs.number(_difference(statement), innermost)
-    right = signs.sign(gap if name in ("greater", "at least") else -gap) > 0
-    return right and (not STRICT[name] or signs.is_nonzero(gap))
+    gap = signs.field.element(not_negative(signs.env, statement))
+    return signs.not_negative(gap) and (not STRICT[name] or signs.is_nonzero(gap))

@@ -165,14 +165,14 @@ def decided(claim: Claim, early: Callable[[Finding], None] = lambda finding: Non
 
 def _with_proof(claim: Claim, finding: Finding) -> Finding:
     """Return a decision at points with its proof: of the statement, then of the values of both sides."""
+    within = claim if finding.within is None else finding.within.inside(claim)
     if not ORDERED.isdisjoint(operators(claim.statement)):
         how = "exact" if not finding.cuts and ordered(claim) else None
     else:
-        within = claim if finding.within is None else finding.within.inside(claim)
         how = (proved(within) if within is claim else None) or identical(within)
     if how is None:
         return _unproved(finding, "")
-    if without := undecided_parts(claim, finding.needed):
+    if without := undecided_parts(within, finding.needed):
         shown = ", ".join(dict.fromkeys(written(claim.entry.contracted(part)) for part in without[:SHOWN]))
         return _unproved(finding, f"{how} where both sides have a value, which is open for {shown}")
     if not how.startswith(("exact", MODULO)) or (how.startswith("exact, n =")):
@@ -216,6 +216,8 @@ def _at_points(claim: Claim) -> Finding:
     method = f"true at {at.points} points" + f", {at.blurred} more too close to tell" * bool(at.blurred)
     status = Status.HOLDS_IF if condition else Status.HOLDS
     asked = tuple(term for one in exclusions(claim, _inside(at, within)) if (term := one.term) is not None)
+    if within is not None and within.strict in condition:
+        asked = (*asked, *within.interior)
     return Finding(
         status, method, at.points, "evidence", condition, cuts, None, outside, tuple(at.true), asked, within
     )  # fmt: skip

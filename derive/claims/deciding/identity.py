@@ -7,16 +7,19 @@ fast, and large formulas have no other.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from functools import partial
+from contextlib import suppress
+from dataclasses import replace
+from functools import partial, reduce
 from math import lcm
 from typing import Any
 
 from ...algebra.element import NotExactError
 from ..language.environment import Env
 from ..language.matrices import inverse
-from ..language.operator_table import both
-from ..language.printed import Symbol, Term, Trait, with_trait
 from ..language.operations import written
+from ..language.operator_table import both
+from ..language.printed import Number, Symbol, Term, Trait, symbols, with_trait
+from ..numbers.fields import innermost
 from ..numbers.generators import Generators
 from ..numbers.kinds import ORDER
 from ..numbers.residues import SURE_BITS, Residues, UnluckyError
@@ -32,12 +35,16 @@ MODULO = "proved modulo a random prime"
 ROTATION, PRODUCT = "rotation", "S of rotations"
 CUT = frozenset(("floor of number", "or", "negated", "implies"))
 """Operators that jump: a claim that is true at generic values may be false at special ones."""
+STRICT = {"less": True, "at most": False, "greater": True, "at least": False}
+"""Order relations, with whether they exclude equality."""
+ABSENT = (ArithmeticError, TypeError, AttributeError, KeyError, ValueError, IndexError)
+"""Errors of a number that a field does not have."""
 Make = Callable[..., Generators]
 
 
 def identical(claim: Claim) -> str | None:
     """Return how a claim is proved at independent generators, "exact" or modulo a prime, or None."""
-    if claim.dual or claim.constraints or not CUT.isdisjoint(operators(claim.statement)):
+    if claim.dual or not CUT.isdisjoint(operators(claim.statement)):
         return None
     for prove, how in ((proved_exactly, "exact"), (proved_modulo, f"{MODULO}, error < 2^-{SURE_BITS}")):
         try:
@@ -69,7 +76,9 @@ def _for_all_signs(claim: Claim, make: Make) -> bool:
 
     Raise NotExactError if the field cannot tell.
     """
-    claim, _ = with_free_product(claim)
+    claim, _ = with_free_product(with_solved_equations(claim))
+    if claim.constraints:
+        raise NotExactError("equations in the domain")
     for fixed in claim.choices:
         waiting: list[tuple[int, ...]] = [()]
         while waiting:
@@ -81,8 +90,9 @@ def _for_all_signs(claim: Claim, make: Make) -> bool:
     return True
 
 
-def _conjuncts(domain: Term) -> list[Term]:
-    return [part for one in domain.arguments for part in _conjuncts(one)] if domain.operator is both else [domain]
+def conjuncts(domain: Term) -> list[Term]:
+    """Return the relations that a domain joins by "and"."""
+    return [part for one in domain.arguments for part in conjuncts(one)] if domain.operator is both else [domain]
 
 
 def _evaluated(
@@ -97,17 +107,52 @@ def _evaluated(
     except (ArithmeticError, TypeError, AttributeError) as error:
         raise NotExactError("no generic value") from error
     field: Any = env.field
-    if isinstance(field, Residues) and not field.certain(TESTS):
+    if isinstance(field, Residues) and not field.is_sure(TESTS):
         raise NotExactError("a formula too large for the prime")
     return field if true else None
 
 
-def setting(claim: Claim, make: Make, fixed: Mapping[Symbol, int], signs: Sequence[int] = ()) -> Env:
-    """Return the environment of a claim over independent generators, for one choice of orders."""
-    domain = [] if claim.entry.claimed is None else _conjuncts(claim.entry.claimed)
+def setting(
+    claim: Claim, make: Make, fixed: Mapping[Symbol, int], signs: Sequence[int] = (), real: bool = False
+) -> Env:
+    """Return the environment of a claim over independent generators, for one choice of orders.
+
+    Dual letters have their real parts alone if `real`; what has a value is a matter of these.
+    """
+    domain = [] if claim.entry.claimed is None else conjuncts(claim.entry.claimed)
     steps = lcm(steps_of(claim.statement), *(4 * n for a, n in fixed.items() if a.quantity is ORDER))
-    letters = Polar(claim.coordinates, claim.depth, bounds(domain), partial(make, steps=steps, signs=signs))
-    return Env(letters.field, letters.values | dict(fixed), claim.entry.definitions, False, claim.depth)
+    letters = Polar(claim.coordinates, claim.depth, bounds(domain), partial(make, steps=steps, signs=signs), real)
+    env = Env(letters.field, letters.values | dict(fixed), claim.entry.definitions, False, claim.depth)
+    for part in domain:
+        if part.operator.name in STRICT:
+            with suppress(*ABSENT):
+                letters.field.assumed.append(letters.field.element(not_negative(env, part)))
+    return env
+
+
+def difference(part: Term) -> Term:
+    """Return the difference of both sides of a relation; of one with a single side, this side."""
+    a, *rest = part.arguments
+    return a if not rest or rest[0] == Number(0) else a - rest[0]
+
+
+def not_negative(env: Env, part: Term) -> Any:
+    """Return the number that an order relation says not to be negative."""
+    gap = innermost(env.now(env.value(difference(part))))
+    return gap if part.operator.name in ("greater", "at least") else -gap
+
+
+def with_solved_equations(claim: Claim) -> Claim:
+    """Return a claim with an expression for each letter that an equation of the stated domain equates with it."""
+    domain = [] if claim.entry.claimed is None else conjuncts(claim.entry.claimed)
+    for part in domain:
+        a, b = part.arguments if part.operator.name == "equal" and len(part.arguments) == 2 else (part, part)
+        for letter, value in ((a, b), (b, a)):
+            if isinstance(letter, Symbol) and kind(letter).free == kind(letter).spread == "" and letter not in symbols(value):
+                rest = [one.xreplace({letter: value}) for one in domain if one is not part]
+                entry = replace(claim.entry, claimed=reduce(both, rest) if rest else None)
+                return with_solved_equations(Claim(entry, claim.statement.xreplace({letter: value}), claim.orders))
+    return claim
 
 
 def with_free_product(claim: Claim, *further: Term) -> tuple[Claim, tuple[Term, ...]]:

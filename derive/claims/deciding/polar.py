@@ -60,11 +60,19 @@ FORMS: Mapping[str, tuple[Mapping[str, tuple[Bound, Bound]], Make]] = {
 """Coordinates with their intervals and the builder of a value, for kinds with a polar form."""
 
 
-def coordinates(letter: Symbol, bounds: Mapping[str, tuple[Bound, Bound]]) -> dict[str, tuple[Bound, Bound]]:
-    """Return the intervals of the coordinates of a letter, within the bounds of its length or value in a domain."""
+def _form(letter: Symbol) -> str:
+    """Return the name of the kind of a letter, that of the real kind for a dual vector or an orthogonal tensor."""
     name = letter.quantity.name.removeprefix("constant ")
+    return {"dual vector": "real vector", "unit vector": "real unit vector", "orthogonal tensor": "rotation"}.get(name, name)
+
+
+def coordinates(
+    letter: Symbol, bounds: Mapping[str, tuple[Bound, Bound]], real: bool
+) -> dict[str, tuple[Bound, Bound]]:
+    """Return the intervals of the coordinates of a letter, within the bounds of its length or value in a domain."""
+    name = _form(letter)
     kind = KINDS[letter.quantity.name]
-    if kind.dual or kind.still:
+    if kind.still or (kind.dual and not real):
         raise NotExactError(f"no polar form of a {name}")
     if name in FORMS:
         found = dict(FORMS[name][0])
@@ -83,17 +91,19 @@ class Polar:
     def __init__(
         self, letters: Sequence[Symbol], depth: int, bounds: Mapping[str, tuple[Bound, Bound]],
         field: Callable[[Sequence[str], Mapping[str, tuple[Bound, Bound]], Sequence[str]], Generators],
+        real: bool = False,
     ) -> None:  # fmt: skip
         self.depth = depth
-        intervals = {f"{a.name}.{stem}": ends for a in letters for stem, ends in coordinates(a, bounds).items()}
+        stems = {a: coordinates(a, bounds, real) for a in letters}
+        intervals = {f"{a.name}.{stem}": ends for a in letters for stem, ends in stems[a].items()}
         names = [name + dots for name in intervals for dots in ("", *RATES[:depth])]
         integers = [f"{a.name}.0" for a in letters if KINDS[a.quantity.name].spread == "integer"]
         self.field = field(names, {name: ends for name, ends in intervals.items() if ends != ALL}, integers)
-        self.values = {a: self._value(a, bounds) for a in letters}
+        self.values = {a: self._value(a, list(stems[a])) for a in letters}
 
-    def _value(self, letter: Symbol, bounds: Mapping[str, tuple[Bound, Bound]]) -> Any:
-        name, kind = letter.quantity.name.removeprefix("constant "), KINDS[letter.quantity.name]
-        numbers = {stem: self._number(letter, stem) for stem in coordinates(letter, bounds)}
+    def _value(self, letter: Symbol, stems: Sequence[str]) -> Any:
+        name, kind = _form(letter), KINDS[letter.quantity.name]
+        numbers = {stem: self._number(letter, stem) for stem in stems}
         if name in FORMS:
             return FORMS[name][1](self.field, numbers)
         return kind.build([*[1] * kind.projective, *numbers.values()])

@@ -12,8 +12,8 @@ from typing import Any
 from ..language.matrices import entry, stacked
 from ..language.operations import written
 from ..language.operator_table import both, conjugate, norm, pi, trace
-from ..language.relations import at_least, at_most
 from ..language.printed import Number, Symbol, Term, Trait, symbols, walk
+from ..language.relations import at_least, at_most, greater, less
 from ..numbers.balls import Ball, Balls, BlurredError, arb
 from ..numbers.fields import innermost
 from .claim import Claim, Place, kind
@@ -38,6 +38,11 @@ class Region:
     words: str
     test: Test
     terms: tuple[Term, ...]
+
+    @property
+    def interior(self) -> tuple[Term, ...]:
+        """Relations without the border."""
+        return tuple((less if term.operator is at_most else greater)(*term.arguments) for term in self.terms)
 
     def inside(self, claim: Claim) -> Claim:
         """Return the claim with the region as part of its stated domain."""

@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from fractions import Fraction
 from numbers import Number
-from operator import gt, lt
+from operator import ge, gt, le, lt
 from typing import Any
 
 import flint
@@ -154,13 +154,14 @@ class Balls(Field):
 
     ordered = True
 
-    def __init__(self, lenient: bool = False, certainly: bool = False) -> None:
+    def __init__(self, lenient: bool = False, certainly: bool = False, loose: bool = False) -> None:
         self.lenient = lenient  # whether a dual vector with real part 0 has a magnitude
         self.certainly = certainly  # whether an overlap tells nothing
+        self.loose = loose  # whether an overlap is an equality, as where a number certainly vanishes
 
     @property
     def certain(self) -> Balls:
-        return Balls(self.lenient, certainly=True)
+        return self if self.loose else Balls(self.lenient, certainly=True)
 
     def same(self, a: Any, b: Any) -> bool:
         gap, size = arb(a) - arb(b), abs(arb(a)).mid() + 1
@@ -173,6 +174,8 @@ class Balls(Field):
 
     def compared(self, test: Callable[[Any, Any], bool], a: Any, b: Any) -> bool:
         a = Ball(arb(a))
+        if a.overlaps(b) and self.loose:
+            return test in (le, ge)
         if a.overlaps(b) and (self.certainly or test in (lt, gt) or not self.same(a, b)):
             raise BlurredError
         return test(a, b)

@@ -13,8 +13,10 @@ A root ``sqrt(r**2)`` is ``r`` or ``-r`` on each connected part of the domain. I
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from contextlib import suppress
 from fractions import Fraction
 from functools import cached_property
+from itertools import combinations
 from math import prod
 from typing import Any
 
@@ -52,6 +54,7 @@ class Generators(Field):
         self.taken = dict.fromkeys(POOLS, 0)  # numbers of generators with a meaning
         self.extensions: list[tuple[Any, str]] = []  # numbers that are no squares, with the generators of their roots
         self.logarithms: list[tuple[Any, Any]] = []
+        self.assumed: list[Any] = []  # numbers that are not negative in the stated domain
         self.angles: list[tuple[tuple[Any, Any], Any]] = []
 
     @cached_property
@@ -84,11 +87,11 @@ class Generators(Field):
             yield monomial, c
 
     def is_positive(self, a: Any) -> bool:
-        """Return whether a number that is not 0 is proved to be positive."""
-        try:
-            return bool(a.sign() > 0)
-        except NotExactError:
-            return False
+        """Return whether a number that is not 0 is proved to be positive, or not negative by an assumption."""
+        for known in (self.element(1), *self.assumed):
+            with suppress(NotExactError):
+                return bool((a / known).sign() > 0)
+        return False
 
     def root(self, a: Any) -> Any:
         """Return a root of a number up to its sign, or None if it is no square."""
@@ -97,9 +100,10 @@ class Generators(Field):
 
     def new_root(self, a: Any) -> Any:
         """Return the root of a number that is no square: by the root of another one, or with a generator."""
-        for other, name in self.extensions:
-            if (found := self.root(a * other)) is not None:
-                return self.chosen(found / self.symbol(name))
+        for count in range(1, len(self.extensions) + 1):
+            for some in combinations(self.extensions, count):
+                if (found := self.root(prod((other for other, _ in some), start=a))) is not None:
+                    return self.chosen(found / prod(self.symbol(name) for _, name in some))
         name, square = self._next("root"), a.numerator * a.denominator
         generator = self.symbol(name)
         self.ring.relations.append(generator.numerator**2 - square)
@@ -110,17 +114,18 @@ class Generators(Field):
     def restrict_tangent(self, name: str, monomial: Monomial) -> None:
         """Set the interval of a tangent by that of its angle."""
         low, high = self._interval(monomial)
-        if high.is_finite and abs(high) / (2 * self.steps) < sympy.pi / 2:
-            top = sympy.tan(high / (2 * self.steps))
-            self.ring.restrict(name, sympy.Integer(0) if low == 0 else -top, top, self._ends(high))
+        if max(abs(low), abs(high)) < self.steps * sympy.pi:
+            ends = [self._end(end) for end in (low, high) if end]
+            known = [end for end in ends if end is not None]
+            self.ring.restrict(name, *(sympy.tan(end / (2 * self.steps)) for end in (low, high)), known)
 
-    def _ends(self, high: Bound) -> Any:
-        """Return the polynomial in a tangent that vanishes where its angle is `high`, a multiple of π."""
-        if not (high / sympy.pi).is_Rational:
+    def _end(self, end: Bound) -> Any:
+        """Return the polynomial in a tangent that vanishes where its angle is a multiple of π; None for other ends."""
+        if not (end / sympy.pi).is_Rational:
             return None
         x = sympy.Symbol("x")
-        power = sympy.Poly((1 + sympy.I * x) ** (2 * self.steps * (high / sympy.pi).q), x, extension=sympy.I)
-        return sum(sympy.im(c) * x**k for (k,), c in power.terms())
+        power = sympy.Poly((1 + sympy.I * x) ** (2 * self.steps * (end / sympy.pi).q), x, extension=sympy.I)
+        return sympy.Poly(sum(sympy.im(c) * x**k for (k,), c in power.terms()), x)
 
     # ---- roots ----------------------------------------------------------------
 
@@ -131,6 +136,10 @@ class Generators(Field):
         a = self.element(a)
         found = self.root(a)
         return self.new_root(a) if found is None else self.chosen(found)
+
+    def roots_used(self) -> list[str]:
+        """Return the generators of roots."""
+        return [name for _, name in self.extensions]
 
     def absolute(self, a: Any) -> Any:
         return self.chosen(a) if isinstance(a, Element) else super().absolute(a)
@@ -221,11 +230,27 @@ class Generators(Field):
         a = self.element(a)
         if a == 1:
             return self.element(0)
+        return sum((power * self._log_of(factor) for factor, power in self.positive_factors(a)), start=self.element(0))
+
+    def _log_of(self, a: Any) -> Any:
         for known, found in self.logarithms:
             if a == known:
                 return found
         self.logarithms.append((a, self.symbol(self._next("logarithm"))))
         return self.logarithms[-1][1]
+
+    def positive_factors(self, a: Any) -> list[tuple[Any, int]]:
+        """Return the factors of a number with their exponents if all are positive, else the number itself."""
+        found, rest = [], a
+        for part, sign in ((a.numerator, 1), (a.denominator, -1)):
+            for factor, power in self.ring.library.factors(part):
+                number = self.ring.fraction(factor, self.ring.library.one)
+                number = number if self.is_positive(number) else -number
+                if not self.is_positive(number):
+                    return [(a, 1)]
+                found.append((number, sign * power))
+                rest = rest / number ** (sign * power)
+        return found if rest == 1 else [*found, (rest, 1)]
 
     # ---- inverse functions ----------------------------------------------------------------
 
@@ -258,14 +283,21 @@ class Generators(Field):
         """Return the angle of a point as k/steps of a monomial, plus turns if its range does not tell; else None."""
         for monomial in [monomial for what, monomial in self.meanings if what == "tangent"]:
             angle = prod((self.symbol(name) ** power for name, power in monomial), start=self.element(1))
-            widest = max(map(abs, self._interval(monomial)))
             for k in (k for k in range(-2 * self.steps, 2 * self.steps + 1) if k):
                 c, s = self._of_monomial(monomial, Fraction(k, self.steps))
                 if self._along(y, x, s, c):
-                    principal = widest * abs(k) <= sympy.pi * self.steps
-                    turned = 0 if principal else 2 * self.pi * self.symbol(self._next("turn"))
+                    turns = self._turns(monomial, Fraction(k, self.steps))
+                    turned = 2 * self.pi * (self.symbol(self._next("turn")) if turns is None else turns)
                     return angle * Fraction(k, self.steps) + turned
         return None
+
+    def _turns(self, monomial: Monomial, part: Fraction) -> int | None:
+        """Return the number of turns that brings a multiple of an angle into (−π, π], if one does for all its values."""
+        ends = [sympy.Rational(part.numerator, part.denominator) * end for end in self._interval(monomial)]
+        if not all(end.is_finite for end in ends):
+            return None
+        turns = int(sympy.ceiling((-sympy.pi - min(ends)) / (2 * sympy.pi)))
+        return turns if max(ends) + 2 * sympy.pi * turns <= sympy.pi else None
 
     def _asin(self, a: Any) -> Any:
         return self._atan2(a, self._sqrt(1 - self.element(a) ** 2))

@@ -2,7 +2,7 @@
 
 A formula without division by 0 is a quotient of polynomials over Q. If it is not 0, it vanishes at a random point modulo
 a random prime with a probability below its degree over the prime, plus that of a prime which divides a coefficient.
-Each number carries bounds of its degree and of the bits of its coefficients, and `certain` bounds the probability.
+Each number carries bounds of its degree and of the bits of its coefficients, and `is_sure` bounds the probability.
 """
 
 from __future__ import annotations
@@ -154,7 +154,7 @@ class Residues(Generators):
                 break
         self.largest = 0, 0
 
-    def certain(self, tests: int) -> bool:
+    def is_sure(self, tests: int) -> bool:
         """Return whether so many equalities are all right but for a probability below ``2**-SURE_BITS``."""
         degree, bits = self.largest
         # a root doubles the degree, and halves the primes to draw from
@@ -216,22 +216,25 @@ class Residues(Generators):
     def is_positive(self, a: Residue) -> bool:
         if a.terms is not None and set(a.terms) == {()}:
             return a.terms[()] > 0
+        if any((a / known).value in self._positive for known in self.assumed if known):
+            return True
         return a.value in self._positive or any((a * k).value in self._positive for k in (2, 4, Fraction(1, 2)))
 
     def root(self, a: Residue) -> Residue | None:
         if not a:
             return a
-        for known in self._candidates:
-            for k in (1, 2, 4, Fraction(1, 2)):
-                if known * known * (k * k) == a:
-                    return known * k
-        return None
+        multiples: Iterator[Residue] = (known * k for known in self._candidates for k in (1, 2, 4, Fraction(1, 2)))
+        return next((known for known in multiples if known * known == a), None)
+
+    def positive_factors(self, a: Residue) -> list[tuple[Residue, int]]:
+        return [(a, 1)]
 
     def new_root(self, a: Residue) -> Residue:
         root = pow(a.value, (self.prime + 1) // 4, self.prime)
         if root * root % self.prime != a.value:
             raise UnluckyError
-        return self.chosen(Residue(self, root, a.degree, a.bits))
+        found: Residue = self.chosen(Residue(self, root, a.degree, a.bits))
+        return found
 
     def restrict_tangent(self, name: str, monomial: Monomial) -> None:
         """Leave a tangent unbounded: no sign is asked of a residue."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
+from math import prod
 from typing import Any
 
 import sympy
@@ -31,8 +32,8 @@ class Signed(RationalFunctions):
         for name, (low, high) in ranges.items():
             self.restrict(name, low, high)
 
-    def restrict(self, name: str, low: Bound, high: Bound, ends: Any = None) -> None:
-        """Set the interval of a generator; `ends` is a polynomial that vanishes at its irrational ends."""
+    def restrict(self, name: str, low: Bound, high: Bound, ends: Sequence[Any] = ()) -> None:
+        """Set the interval of a generator; the polynomials `ends` vanish at its irrational ends."""
         self.ranges[name], self._ends[name] = (low, high), ends
         self.point[name] = _between(low, high)
 
@@ -73,8 +74,7 @@ class Signed(RationalFunctions):
         for end in (low, high):
             while end.is_Rational and a.degree() > 0 and a.eval(end) == 0:
                 a = a.quo(sympy.Poly(x - end, x))
-        ends = self._ends.get(name)
-        at_ends = sympy.Poly(1, x) if ends is None else a.gcd(sympy.Poly(ends, x))
+        at_ends = a.gcd(prod(self._ends.get(name, ()), start=sympy.Poly(1, x)))
         while at_ends.degree() > 0 and (shared := a.gcd(at_ends)).degree() > 0:
             a = a.quo(shared)
         inner, outer = (_rational(low, high, margin) for margin in (MARGIN, -MARGIN))
