@@ -121,7 +121,7 @@ class Claim:
         values: dict[Symbol, Any] = {a: value for a, value in place.at.items() if a not in self.coordinates}
         for letter in self.coordinates:
             values[letter] = self.value(letter, place, field)
-        balls = Balls(lenient=not self.entry.of_file)
+        balls = Balls(loose=not self.entry.of_file)  # an entry in Python states its condition
         values |= {a: _lifted(value) for a, value in place.values.items()}
         return Env(field or balls, values, self.entry.definitions, self.dual, self.depth)
 
@@ -205,9 +205,10 @@ class Claim:
     def inside(self, place: Place) -> bool:
         """Return whether a point lies in the stated domain; an overlap of balls tells only of a point moved there."""
         domain = self.entry.claimed
-        if domain is None or not (place.exact or not self.constraints):
-            return domain is None or bool(self.truth(place, domain))
-        return bool(self.truth(place, negated(negated(domain))))
+        if domain is None:
+            return True
+        certain = place.exact or not self.constraints
+        return bool(self.truth(place, negated(negated(domain)) if certain else domain))
 
     def with_statement(self, statement: Term) -> Claim:
         """Return another claim about the same letters."""

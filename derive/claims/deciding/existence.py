@@ -131,7 +131,7 @@ def _has_value(signs: Signs, part: Term, asked: str) -> bool:
 
 EXPANDED = ("series", "limit at")
 """Operators that fill removable singularities; that they have a value is seen when they are evaluated."""
-TURNS = ("rotation", "pose 4x4", "unit real quaternion")
+TURNS = ("rotation", "pose 4x4", "unit real quaternion", "orthogonal tensor", "unit quaternion")
 """Kinds whose values have an inverse."""
 
 

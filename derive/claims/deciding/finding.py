@@ -256,10 +256,13 @@ def _in_python(claim: Claim) -> Finding:
         return Finding(Status.UNDECIDED, f"no point on {sides} of its domain")
     if wrong := _contradicted(claim, beyond):
         return Finding(Status.UNDECIDED, wrong)
-    method = _method(claim, proved(claim), at.points)
+    exact = proved(claim)
+    method = _method(claim, exact, at.points)
     if beyond.true:
         method += f"; also true at {beyond.true[0].label}"
     status = Status.HOLDS if entry.condition is None else Status.HOLDS_IF
+    if exact is None and not entry.argument:
+        status = Status.UNREFUTED
     return Finding(status, method, at.points, true=tuple(at.true))
 
 

@@ -148,7 +148,8 @@ def with_solved_equations(claim: Claim) -> Claim:
     for part in domain:
         a, b = part.arguments if part.operator.name == "equal" and len(part.arguments) == 2 else (part, part)
         for letter, value in ((a, b), (b, a)):
-            if isinstance(letter, Symbol) and kind(letter).free == kind(letter).spread == "" and letter not in symbols(value):
+            free = isinstance(letter, Symbol) and kind(letter).free == kind(letter).spread == ""
+            if free and letter not in symbols(value):
                 rest = [one.xreplace({letter: value}) for one in domain if one is not part]
                 entry = replace(claim.entry, claimed=reduce(both, rest) if rest else None)
                 return with_solved_equations(Claim(entry, claim.statement.xreplace({letter: value}), claim.orders))

@@ -195,7 +195,7 @@ class Probe:
         """Yield dual parts and rates of other sizes: all 0, fractions, and large ones."""
         counts = {a: len(self.claim.further(a, Place("", {}))) for a in self.claim.coordinates}
         for label, scale in (("at rest", 0), ("slow", Fraction(1, 7)), ("fast", Fraction(1001, 3))):
-            parts = {a: [scale * self.random.choice(SHORT) for _ in range(count)] for a, count in counts.items() if count}
+            parts = {a: [scale * self.random.choice(SHORT) for _ in range(n)] for a, n in counts.items() if n}
             if parts:
                 yield Place(label, self.drawn(), parts=parts)
 

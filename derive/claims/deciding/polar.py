@@ -1,8 +1,8 @@
 """Letters of a claim in polar form: a vector is a length times a direction, a rotation turns by an angle about one.
 
 Lengths and angles of rotation are generators with a range, directions have two stereographic coordinates. So lengths,
-logarithms and their rates are rational, and no frame is chosen. Left out are the vector 0, rotations by 0 and π, and one
-direction.
+logarithms and their rates are rational, and no frame is chosen. Left out are the vector 0, rotations by 0 and π, and
+one direction.
 """
 
 from __future__ import annotations
@@ -63,7 +63,8 @@ FORMS: Mapping[str, tuple[Mapping[str, tuple[Bound, Bound]], Make]] = {
 def _form(letter: Symbol) -> str:
     """Return the name of the kind of a letter, that of the real kind for a dual vector or an orthogonal tensor."""
     name = letter.quantity.name.removeprefix("constant ")
-    return {"dual vector": "real vector", "unit vector": "real unit vector", "orthogonal tensor": "rotation"}.get(name, name)
+    real = {"dual vector": "real vector", "unit vector": "real unit vector", "orthogonal tensor": "rotation"}
+    return real.get(name, name)
 
 
 def coordinates(
@@ -136,7 +137,9 @@ def _bound(part: Term) -> Iterator[tuple[str, Bound, Bound]]:
         end = _constant(outer)
         subject = inner.arguments[0] if inner.arguments and inner.operator.name == "norm" else inner
         if end is not None and isinstance(subject, Symbol):
-            yield (subject.name, -sympy.oo, end) if is_upper else (subject.name, end, sympy.oo)
+            least = -sympy.oo if subject is inner else -end
+            if is_upper or subject is inner:  # a magnitude above a bound leaves two intervals
+                yield (subject.name, least, end) if is_upper else (subject.name, end, sympy.oo)
 
 
 def _constant(term: Term) -> Bound | None:

@@ -143,7 +143,8 @@ def _sign(part: Term, relation: str, number: Read) -> Region:
             return None
         return bool(value > 0) == (relation == ">= 0")
 
-    return Region(f"{written(part)} {relation}", test, ((at_least if relation == ">= 0" else at_most)(part, Number(0)),))
+    term = (at_least if relation == ">= 0" else at_most)(part, Number(0))
+    return Region(f"{written(part)} {relation}", test, (term,))
 
 
 def _between(part: Term, low: float | None, high: float, words: str, number: Read) -> Region:

@@ -1,4 +1,4 @@
-"""Points of a bounded domain at which an order relation is most likely to fail: corners, then the way uphill from the best.
+"""Points of a bounded domain at which an order relation is most likely to fail: corners, and the way uphill from one.
 
 Each stated bound gives ends of a number, or vectors of the largest length along the axes. From the best point, steps
 along the gradient are brought back into the bounds.
@@ -36,7 +36,8 @@ class Uphill:
         domain = [] if claim.entry.claimed is None else conjuncts(claim.entry.claimed)
         found = bounds(domain)
         self.claim = claim
-        self.ends = {a: _ends(found[a.name]) for a in claim.coordinates if a.name in found and kind(a).spread != "integer"}
+        bounded = [a for a in claim.coordinates if a.name in found and kind(a).spread != "integer"]
+        self.ends = {a: _ends(found[a.name]) for a in bounded}
 
     def places(self, at: dict[Symbol, Any]) -> Iterator[Place]:
         """Yield the corners, then the points on the way uphill; other letters stay as they are."""

@@ -223,10 +223,12 @@ def enclosing(part: Singular, claim: Claim, place: Place, t: Any, at: Callable[[
     """Return a place with the part that certainly vanishes there: it has opposite signs at both ends, and no pole."""
     width = flint.arb(2) ** -WIDTH
     try:
-        low, on, high = (part.number(claim, replace(place, at=at(Ball(c)))) for c in (t - width, flint.arb(t, width), t + width))
+        ends = (t - width, flint.arb(t, width), t + width)
+        low, on, high = (part.number(claim, replace(place, at=at(Ball(c)))) for c in ends)
     except ABSENT:
         return place
-    return replace(place, zero=part.part) if on.is_finite() and ((low < 0 and high > 0) or (low > 0 and high < 0)) else place
+    crosses = (low < 0 and high > 0) or (low > 0 and high < 0)
+    return replace(place, zero=part.part) if crosses and on.is_finite() else place
 
 
 def at_integers(claim: Claim, part: Singular, letter: Symbol, at: dict[Symbol, Any]) -> Iterator[Place]:

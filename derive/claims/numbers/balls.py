@@ -1,8 +1,8 @@
 """Balls of Arb: numbers with a rigorous bound on their error, in which claims are evaluated.
 
-Two balls that do not overlap are certainly unequal, so a refutation is a proof. Balls that overlap count as equal, which
-supports a claim and never decides against one: there, an overlap that is not an exact equality raises `BlurredError`. So
-does one that is too wide to tell. The caller repeats the evaluation with more digits.
+Two balls that do not overlap are certainly unequal, so a refutation is a proof. Balls that overlap count as equal,
+which supports a claim and never decides against one: there, an overlap that is not an exact equality raises
+`BlurredError`. So does one that is too wide to tell. The caller repeats the evaluation with more digits.
 """
 
 from __future__ import annotations
@@ -154,14 +154,14 @@ class Balls(Field):
 
     ordered = True
 
-    def __init__(self, lenient: bool = False, certainly: bool = False, loose: bool = False) -> None:
-        self.lenient = lenient  # whether a dual vector with real part 0 has a magnitude
+    def __init__(self, certainly: bool = False, loose: bool = False) -> None:
         self.certainly = certainly  # whether an overlap tells nothing
-        self.loose = loose  # whether an overlap is an equality, as where a number certainly vanishes
+        # whether an overlap is an equality, as where a number vanishes, and a dual vector always has a magnitude
+        self.loose = loose
 
     @property
     def certain(self) -> Balls:
-        return self if self.loose else Balls(self.lenient, certainly=True)
+        return self if self.loose else Balls(certainly=True)
 
     def same(self, a: Any, b: Any) -> bool:
         gap, size = arb(a) - arb(b), abs(arb(a)).mid() + 1
@@ -213,7 +213,7 @@ class Balls(Field):
 
     def magnitude(self, v: Any) -> Any:
         square = v.dot(v)
-        if self.lenient:
+        if self.loose:
             return super().magnitude(v)
         if isinstance(square, Dual) and self.vanishes(innermost(square)):
             raise UndefinedError("the magnitude of a vector whose real part is 0 has no dual part and no rate")

@@ -6,8 +6,8 @@ for. Each of these has a generator of its own:
 * the tangent of a fraction of each monomial in a sine, and the exponential of each monomial in an exponent;
 * the root of a number that is no square, the logarithm of a number, and an angle that is no multiple of a known one.
 
-A root ``sqrt(r**2)`` is ``r`` or ``-r`` on each connected part of the domain. If nothing decides, its sign is the next of
-`signs`, and a claim is proved if it is true for all of them.
+A root ``sqrt(r**2)`` is ``r`` or ``-r`` on each connected part of the domain. If nothing decides, its sign is the next
+of `signs`, and a claim is proved if it is true for all of them.
 """
 
 from __future__ import annotations
@@ -37,8 +37,8 @@ Monomial = tuple[tuple[str, int], ...]
 class Generators(Field):
     """Rational functions of independent generators, with sines, exponentials, logarithms and roots.
 
-    Multiples of ``m/steps`` have exact sine and cosine, for every monomial m of the names. `ranges` gives open intervals
-    of names, `integers` the names of integers, `signs` the signs of the first roots of unknown sign.
+    Multiples of ``m/steps`` have exact sine and cosine, for every monomial m of the names. `ranges` gives open
+    intervals of names, `integers` the names of integers, `signs` the signs of the first roots of unknown sign.
     """
 
     pools: Mapping[str, int] = POOLS
@@ -67,7 +67,7 @@ class Generators(Field):
         """Return the generators for a tangent, an exponential, a root, a logarithm, an angle or a number of turns."""
         return [f"{what} {i}" for i in range(self.pools[what])]
 
-    # ---- numbers, which a field modulo a prime has otherwise ----------------------------------------------------------------
+    # ---- numbers, which a field modulo a prime has otherwise ---------------------------------------------------------
 
     def symbol(self, name: str) -> Any:
         return self.ring.symbol(name)
@@ -127,7 +127,7 @@ class Generators(Field):
         power = sympy.Poly((1 + sympy.I * x) ** (2 * self.steps * (end / sympy.pi).q), x, extension=sympy.I)
         return sympy.Poly(sum(sympy.im(c) * x**k for (k,), c in power.terms()), x)
 
-    # ---- roots ----------------------------------------------------------------
+    # ---- roots -------------------------------------------------------------------------------------------------------
 
     def same(self, a: Any, b: Any) -> bool:
         return not self.element(a - b)
@@ -151,15 +151,16 @@ class Generators(Field):
         if self.is_positive(-root):
             return -root
         for sign, known in zip(self.signs, self.roots, strict=False):
-            if known in (root, -root):
-                return known * sign
+            ratio = root / known
+            if self.is_positive(ratio) or self.is_positive(-ratio):
+                return root * sign if self.is_positive(ratio) else -root * sign
         if len(self.roots) == ROOTS_MAX:
             raise NotExactError(f"more than {ROOTS_MAX} roots of unknown sign")
         self.roots.append(root)
         self.signs += [1] * (len(self.roots) - len(self.signs))
         return root * self.signs[len(self.roots) - 1]
 
-    # ---- angles and exponents ----------------------------------------------------------------
+    # ---- angles and exponents ----------------------------------------------------------------------------------------
 
     def _sin(self, a: Any) -> Any:
         return self._circle(self.element(a))[1]
@@ -233,6 +234,9 @@ class Generators(Field):
         return sum((power * self._log_of(factor) for factor, power in self.positive_factors(a)), start=self.element(0))
 
     def _log_of(self, a: Any) -> Any:
+        for (what, monomial), name in self.meanings.items():
+            if what == "exponential" and a == self.symbol(name):
+                return self._product(monomial)
         for known, found in self.logarithms:
             if a == known:
                 return found
@@ -252,7 +256,7 @@ class Generators(Field):
                 rest = rest / number ** (sign * power)
         return found if rest == 1 else [*found, (rest, 1)]
 
-    # ---- inverse functions ----------------------------------------------------------------
+    # ---- inverse functions -------------------------------------------------------------------------------------------
 
     def _interval(self, monomial: Monomial) -> tuple[Bound, Bound]:
         """Return the interval of a monomial: that of a name, else all numbers."""
@@ -282,7 +286,7 @@ class Generators(Field):
     def _known_angle(self, y: Any, x: Any) -> Any:
         """Return the angle of a point as k/steps of a monomial, plus turns if its range does not tell; else None."""
         for monomial in [monomial for what, monomial in self.meanings if what == "tangent"]:
-            angle = prod((self.symbol(name) ** power for name, power in monomial), start=self.element(1))
+            angle = self._product(monomial)
             for k in (k for k in range(-2 * self.steps, 2 * self.steps + 1) if k):
                 c, s = self._of_monomial(monomial, Fraction(k, self.steps))
                 if self._along(y, x, s, c):
@@ -291,8 +295,11 @@ class Generators(Field):
                     return angle * Fraction(k, self.steps) + turned
         return None
 
+    def _product(self, monomial: Monomial) -> Any:
+        return prod((self.symbol(name) ** power for name, power in monomial), start=self.element(1))
+
     def _turns(self, monomial: Monomial, part: Fraction) -> int | None:
-        """Return the number of turns that brings a multiple of an angle into (−π, π], if one does for all its values."""
+        """Return the number of turns that brings a multiple of an angle into (−π, π] for all its values, or None."""
         ends = [sympy.Rational(part.numerator, part.denominator) * end for end in self._interval(monomial)]
         if not all(end.is_finite for end in ends):
             return None

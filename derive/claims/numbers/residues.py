@@ -1,7 +1,8 @@
 """Independent generators at a random point modulo a random prime, for formulas too large for an exact field.
 
-A formula without division by 0 is a quotient of polynomials over Q. If it is not 0, it vanishes at a random point modulo
-a random prime with a probability below its degree over the prime, plus that of a prime which divides a coefficient.
+A formula without division by 0 is a quotient of polynomials over Q. If it is not 0, it vanishes at a random point
+modulo a random prime with a probability below its degree over the prime, plus that of a prime that divides all its
+coefficients.
 Each number carries bounds of its degree and of the bits of its coefficients, and `is_sure` bounds the probability.
 """
 
@@ -163,7 +164,7 @@ class Residues(Generators):
         doubt = Fraction(tests * degree, 2 ** (PRIME_BITS - 1)) + Fraction(tests * bits, 2 ** (PRIME_BITS - 10))
         return doubt < Fraction(1, 2**SURE_BITS)
 
-    # ---- numbers ----------------------------------------------------------------
+    # ---- numbers -----------------------------------------------------------------------------------------------------
 
     def symbol(self, name: str) -> Residue:
         value = random.Random(f"{self.seed} {name}").randrange(self.prime)
@@ -186,7 +187,7 @@ class Residues(Generators):
     def absolute(self, a: Any) -> Any:
         return self.chosen(a) if isinstance(a, Residue) else super(Generators, self).absolute(a)
 
-    # ---- roots and signs ----------------------------------------------------------------
+    # ---- roots and signs ---------------------------------------------------------------------------------------------
 
     @cached_property
     def _positive(self) -> dict[int, Residue]:

@@ -60,8 +60,8 @@ class Signed(RationalFunctions):
         positive = [name in self.ranges and self.ranges[name][0] >= 0 for name in self.names]
         even = all(power % 2 == 0 or sign for powers in terms for power, sign in zip(powers, positive, strict=True))
         if even and len({c > 0 for c in terms.values()}) == 1:
-            apart = any(all(sign or not power for power, sign in zip(powers, positive, strict=True)) for powers in terms)
-            return apart or not strict
+            apart = (all(sign or not power for power, sign in zip(powers, positive, strict=True)) for powers in terms)
+            return not strict or any(apart)
         if len(used) == 1:
             (i,) = used
             return self._has_no_root(self.names[i], {powers[i]: c for powers, c in terms.items()})
