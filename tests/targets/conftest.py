@@ -1,4 +1,4 @@
-"""Fixtures: packages of all targets except NumPy, each generated once."""
+"""Fixtures: one package of each target except NumPy."""
 
 from __future__ import annotations
 
@@ -12,8 +12,6 @@ import pytest
 
 from tests.support import packages
 
-ORDERS, FAMILIES = (1, 2, 3, 8), ("breusing", "exponential", "lambert", "orthographic", "sine3", "wiener_milenkovic")
-
 
 @pytest.fixture(scope="session")
 def folder(shared: Callable[[str, Callable[[Path], object]], Path]) -> Callable[[str], Path]:
@@ -21,7 +19,7 @@ def folder(shared: Callable[[str, Callable[[Path], object]], Path]) -> Callable[
 
     def made(target: str) -> Path:
         name = f"generated_{target.replace('-', '_')}"
-        return shared(name, lambda place: packages.write(packages.ORDERS[target], target, place))
+        return shared(name, lambda place: packages.write(packages.ORDERS[target], target, place, packages.FAMILIES))
 
     return made
 
@@ -51,12 +49,9 @@ def array_api(package: Callable[[str], str]) -> Callable[[int], ModuleType]:
 
 
 @pytest.fixture(scope="session")
-def charts(shared: Callable[[str, Callable[[Path], object]], Path]) -> Iterator[Callable[[str], ModuleType]]:
+def charts(package: Callable[[str], str]) -> Callable[[str], ModuleType]:
     """Provide a function that returns the array-api module of a chart, by its name after that of the package."""
-    folder = shared("rules", lambda place: packages.write(ORDERS, "array-api", place, FAMILIES))
-    with pytest.MonkeyPatch.context() as patch:
-        patch.syspath_prepend(str(folder.parent))
-        yield lambda name: importlib.import_module(f"{folder.name}.{name}")
+    return lambda name: importlib.import_module(f"{package('array-api')}.{name}")
 
 
 @pytest.fixture(scope="session")

@@ -95,7 +95,11 @@ def line(place: int, case: FloatCase) -> str:
 
 
 @pytest.mark.parametrize(
-    ("scalar", "through"), [("Mixed", "double"), ("Lazy", "double"), ("Jet<2,Jet<1>>", "Jet<2,Jet<1>>")]
+    ("scalar", "through"),
+    [
+        ("Jet<2,Jet<1>>", "Jet<2,Jet<1>>"),
+        *(pytest.param(name, "double", marks=pytest.mark.thorough) for name in ("Mixed", "Lazy")),
+    ],
 )
 def test_classes_of_doubles_give_the_results_of_doubles(scalar, through, headers, tmp_path):
     asked = calls(CHARTS[0])
@@ -116,10 +120,16 @@ def wrong(asked: Sequence[FloatCase], found: Sequence[Sequence[str]], bits: int)
                     yield f"{case.function} branch {case.branch}: {mpmath.nstr(error / scale * 2 ** (bits - 1), 3)} eps"
 
 
-@pytest.mark.parametrize("chart", CHARTS, ids=lambda chart: chart.name)
 @pytest.mark.parametrize(
-    ("scalar", "through", "bits", "library"),
-    [("long double", "long double", 64, ""), ("Digits50", "Digits50", 168, "boost"), ("Ceres", "double", 53, "ceres")],
+    ("chart", "scalar", "through", "bits", "library"),
+    [
+        pytest.param(chart, *one, marks=[pytest.mark.thorough] * ("long double" not in one or chart is CHARTS[0]))
+        for chart in CHARTS
+        for one in (
+            ("long double", "long double", 64, ""), ("Digits50", "Digits50", 168, "boost"),
+            ("Ceres", "double", 53, "ceres"),
+        )
+    ],
 )
 def test_results_have_all_digits_of_the_class(chart, scalar, through, bits, library, headers, tmp_path):
     asked = calls(chart)
