@@ -151,16 +151,6 @@ def test_small_motions_are_linear(kernels: ModuleType, dtype: type, angle: float
     assert error.max() <= errors.GENERAL * np.finfo(dtype).eps
 
 
-@pytest.mark.parametrize("name", ["cayley3", "cayley8", "exponential"])
-def test_angles_about_one_axis_pass_whole_turns(kernels: ModuleType):
-    """Move from an angle below 2π to an angle above, about an axis that is no coordinate axis."""
-    axis = np.array([0.6, -0.48, 0.64, 0.0, 0.0, 0.0])
-    v1, v2 = (kernels.from_screw(np.array([angle, shift]), axis) for angle, shift in ((5.0, 0.2), (7.5, 1.0)))
-    for t in (0.25, 0.75, 1.0):
-        expected = kernels.from_screw(np.array([5.0 + 2.5 * t, 0.2 + 0.8 * t]), axis)
-        np.testing.assert_allclose(kernels.interpolate(v1, v2, t), expected, rtol=0, atol=1e-12 * 20)
-
-
 def test_half_turn_between_poses_is_decided_by_the_closed_form():
     """Expect an end at v2 or −v2, as given, although both are the same pose; the motions turn in opposite senses."""
     v1 = np.zeros(6)

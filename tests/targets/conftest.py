@@ -10,6 +10,10 @@ from types import ModuleType
 
 import pytest
 
+from derive.codegen.build import print_package
+from derive.codegen.targets import TARGETS
+from derive.maps import Cayley, family
+from derive.output import files
 from tests.support import packages
 
 
@@ -19,7 +23,8 @@ def folder(shared: Callable[[str, Callable[[Path], object]], Path]) -> Callable[
 
     def made(target: str) -> Path:
         name = f"generated_{target.replace('-', '_')}"
-        return shared(name, lambda place: packages.write(packages.ORDERS[target], target, place, packages.FAMILIES))
+        charts = packages.ORDERS[target], target
+        return shared(name, lambda place: packages.write(*charts, place, packages.FAMILIES[target]))
 
     return made
 
@@ -58,3 +63,10 @@ def charts(package: Callable[[str], str]) -> Callable[[str], ModuleType]:
 def compiled(package: Callable[[str], str]) -> Callable[[int], ModuleType]:
     """Provide a function that returns the Numba module of an order."""
     return lambda order: importlib.import_module(f"{package('numba')}.cayley{order}")
+
+
+@pytest.fixture(scope="session")
+def headers(shared: Callable[[str, Callable[[Path], object]], Path]) -> Path:
+    """Return the folder of C headers of some charts, without their differential tests, which take long to write."""
+    charts = [*map(Cayley, (2, 3)), *map(family, packages.FAMILIES["c"])]
+    return shared("c_headers", lambda at: files.write(at, print_package(charts, TARGETS["c"], tested=False).texts))

@@ -8,14 +8,11 @@ from pathlib import Path
 import mpmath
 import pytest
 
-from derive.codegen.build import print_package
-from derive.codegen.targets import TARGETS
 from derive.codegen.targets.c import GATE
 from derive.codegen.validation.decimals import EXACT_DIGITS
 from derive.codegen.validation.float_cases import FloatCase, cases, composed
 from derive.maps import Cayley, family
 from derive.maps.chart import Chart
-from derive.output import files
 from tests.support import scalars
 from tests.support.scalars import COMPILERS, TABLES, built, functions
 
@@ -58,11 +55,6 @@ int main()
     }}
 }}
 """
-
-
-@pytest.fixture(scope="module")
-def headers(shared) -> Path:
-    return shared("c_classes", lambda at: files.write(at, print_package(CHARTS, TARGETS["c"], tested=False).texts))
 
 
 def calls(chart: Chart) -> list[FloatCase]:
