@@ -89,9 +89,11 @@ class Call:
             return f"not finite: {found}" if self._must_be_finite(found) else ""
         if not np.isfinite(max(errors.norm(part) for part in values[0])):
             return f"finite: {found}" if any(map(_unknown, values[0])) else ""
-        # norms are parts of the scales, cheap, and most often enough
-        error = next((e for e in map(partial(self.error, found), (norms, self._scales)) if e <= self.gate), np.inf)
-        return "" if error <= self.gate else f"{self.error(found):.3g} eps, allowed {self.gate}: {found}, {values[0]}"
+        for sizes in (norms, self._scales):  # norms are parts of the scales, cheap, and most often enough
+            error = self.error(found, sizes)
+            if error <= self.gate:
+                return ""
+        return f"{error:.3g} eps, allowed {self.gate}: {found}, {values[0]}"
 
     def finite(self) -> bool:
         """Return whether a call in a batch has a finite result, or must have one."""
