@@ -29,12 +29,17 @@ def titled(one):
 
 
 @pytest.fixture(scope="module")
-def package(shared):
+def every(shared):
     """Provide the name of a package of all charts."""
     folder = shared("derivatives", lambda place: packages.write(ORDERS, "array-api", place, FAMILIES))
     with pytest.MonkeyPatch.context() as patch:
         patch.syspath_prepend(str(folder.parent))
         yield folder.name
+
+
+@pytest.fixture
+def package(package):
+    return package("array-api")
 
 
 def test_derivatives_of_a_map(package):
@@ -43,15 +48,15 @@ def test_derivatives_of_a_map(package):
 
 @pytest.mark.thorough
 @pytest.mark.parametrize("one", tries(SEED)[:BY_JAX], ids=titled)
-def test_derivatives_by_jax(package, one):
-    assert not above_gate(package, one, by_jax)
+def test_derivatives_by_jax(every, one):
+    assert not above_gate(every, one, by_jax)
 
 
 @pytest.mark.torch
 @pytest.mark.thorough
 @pytest.mark.parametrize("one", sorted(tries(SEED), key=lambda one: one[1] not in FIRST)[:BY_TORCH], ids=titled)
-def test_derivatives_by_torch(package, one):
-    assert not above_gate(package, one, by_torch)
+def test_derivatives_by_torch(every, one):
+    assert not above_gate(every, one, by_torch)
 
 
 def forget_compiled(package):
