@@ -184,6 +184,15 @@ def test_slopes_are_differences_of_scalar_programs_along_a_ray(charts, chart):
             assert np.max(abs(total - expected)) < NEARLY * max(1, np.max(abs(expected))), (name, angle)
 
 
+def test_scalar_programs_are_differentiated_by_their_rules_in_jax(charts, monkeypatch):
+    """Take a rule with another slope, which the text of the program does not have."""
+    monkeypatch.setitem(charts("_slopes").SLOPES, "rate_scalars", lambda *_: [(7,)])
+    x, chart = jax.numpy.array([0.5]), charts("cayley3").CHART
+    m = charts("_libraries").functions_of("x", x)
+    (found,) = jax.jvp(lambda x: m.scalars(chart).rate_scalars(m, x), (x,), (x / x,))[1]
+    assert found == 7
+
+
 @pytest.mark.parametrize(("dtype", "size"), [(np.float64, 1e-160), (np.float64, 1e-300), (np.float32, 1e-25)])
 def test_an_angle_has_its_gradient_and_hessian_where_squares_underflow(charts, dtype, size):
     """Compare with α = 6|v|, of which third and higher powers of v are lost."""
