@@ -31,7 +31,7 @@ class Numpy(PythonTarget):
     )  # fmt: skip
     tools = ("dask", "interop")
     imports_bases = True
-    machinery = Machinery(few="_runtime.POINTWISE_MAX", block="_kernel.BLOCK")
+    machinery = Machinery(few="_runtime.POINTWISE_MAX")
 
     def shared(self) -> dict[str, Callable[[], Data]]:
         tables = {

@@ -57,7 +57,7 @@ def test_replay_calls_every_function_of_a_first_chart_and_fewer_of_others(
 ) -> None:
     files.write(tmp_path, texts)
     whole, own = (TARGET.replay(tmp_path, CHART, geometry=geometry) for geometry in (True, False))
-    assert 1000 < whole < 2500
+    assert 700 < whole < 1500
     assert 100 < own < whole / 2
     assert replay(tmp_path, CHART, TARGET.machinery, [NUMPY], [ROTATIONS], geometry=True) < whole
 
@@ -72,18 +72,17 @@ def test_scales_are_at_least_the_norms_of_results(table) -> None:
 
 
 @pytest.mark.parametrize(("share", "agrees"), [(0.9, True), (1.1, False), (np.nan, False)])
-@pytest.mark.parametrize("dtype", NUMPY.dtypes, ids=str)
-def test_an_ill_conditioned_result_may_lose_sixteen_roundings_of_its_scale(dtype, share: float, agrees: bool) -> None:
+def test_an_ill_conditioned_result_may_lose_sixteen_roundings_of_its_scale(share: float, agrees: bool) -> None:
     """Replace a function by one whose last component is off; half of the digits are lost already."""
-    scale = float(np.finfo(dtype).eps ** -0.5)
+    scale = float(np.finfo(float).eps ** -0.5)
     case: Any = SimpleNamespace(arguments=((0.5,) * 6,), result=(1.0,) * 6, scales=(1.0, scale))
-    error = share * 16 * float(np.finfo(dtype).eps) * scale
+    error = share * 16 * float(np.finfo(float).eps) * scale
     off = np.array([0, 0, 0, 0, 0, error])
-    module: Any = SimpleNamespace(__name__="made", principal=lambda v, axis: (v + 0.5 + off).astype(dtype))
-    check = Caller(module, NUMPY, out=True, few=20).check
+    module: Any = SimpleNamespace(__name__="made", principal=lambda v, axis: v + 0.5 + off)
+    check = Caller(module, NUMPY, few=20).check
     group = Group(POSES.public["principal"], (), (case,))
     if agrees:
-        check(group, np.array([0]), dtype)
+        check(group, np.array([0]))
     else:
         with pytest.raises(ValidationFailed, match=r"made\.principal.*component 5 is"):
-            check(group, np.array([0]), dtype)
+            check(group, np.array([0]))
