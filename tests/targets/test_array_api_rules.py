@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ast
 from functools import partial
 
 import numpy as np
@@ -9,6 +10,7 @@ import pytest
 
 from derive.codegen.lowering.scalar_programs import SCALARS
 from derive.codegen.signatures import SIDES
+from derive.output import templates
 from tests.support import sampling
 from tests.support.libraries import LIBRARIES, QUICKLY
 
@@ -182,6 +184,16 @@ def test_slopes_are_differences_of_scalar_programs_along_a_ray(charts, chart):
             rows = rule(m, programs, found, at)[: len(expected)]
             total = np.stack([sum(part * rate for part, rate in zip(row, rates, strict=True)) for row in rows])
             assert np.max(abs(total - expected)) < NEARLY * max(1, np.max(abs(expected))), (name, angle)
+
+
+def test_jax_and_pytorch_have_the_same_functions_of_rules():
+    """Compare parameters in the text, which needs neither library."""
+    found = []
+    for file in ("_jax.py", "_torch.py"):
+        body = ast.parse(templates.generated(f"array-api/{file}", "")).body
+        found.append({f.name: [a.arg for a in f.args.args] for f in body if isinstance(f, ast.FunctionDef)})
+    for name in ("held", "carry", "ruled", "unruled", "derivative"):
+        assert found[0][name] == found[1][name], name
 
 
 def test_scalar_programs_are_differentiated_by_their_rules_in_jax(charts, monkeypatch):

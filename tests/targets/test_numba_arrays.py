@@ -148,6 +148,6 @@ def test_copies_of_a_loop_have_the_names_and_programs_of_their_charts(toy: Any, 
         assert found[1] == wanted
     assert [each.kernel.row.__qualname__ for each in (one, two)] == ["one.toy_row", "two.toy_row"]
     digest = importlib.import_module(f"{package}._compiled").digest
-    digests = [digest({"toy": toy.toy, "third": scalar}) for scalar in (toy.third, toy.other, toy.third)]
+    digests = [digest({"first": toy.toy, "second": scalar}) for scalar in (toy.third, toy.other, toy.third)]
     assert digests[0] != digests[1]
     assert digests[0] == digests[2]

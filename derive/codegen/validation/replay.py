@@ -149,7 +149,7 @@ class Caller:
         results = self._run(group, group.given(index, axis), axis, **named)
         kinds = [kind.shape for kind in group.row.results]
         shapes = [kind + index.shape if axis == 0 else index.shape + kind for kind in kinds]
-        if [(got.shape, got.dtype) for got in results] != [(shape, np.float64) for shape in shapes]:
+        if [got.shape for got in results] != shapes or any(got.dtype != np.float64 for got in results):
             raise self._failure(group, f"results of float64 are {[(got.dtype, got.shape) for got in results]}")
         parts = [_turned(got, got.ndim - index.ndim, axis).reshape(*index.shape, -1) for got in results]
         found, wanted = np.concatenate(parts, axis=-1), group.results[index]
