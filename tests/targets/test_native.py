@@ -19,7 +19,6 @@ import pytest
 
 import dualcay
 from derive.codegen.signatures import POSES, PUBLIC, ROTATIONS
-from derive.codegen.targets import TARGETS
 from derive.codegen.validation import NUMPY, replay
 from derive.maps import Cayley, family
 from tests.support.kernels import load, said
@@ -91,11 +90,10 @@ def test_reimport_reuses_compiled_functions(native):
 @pytest.mark.parametrize("chart", CHARTS[:2], ids=lambda chart: chart.name)
 def test_the_replay_agrees_with_the_formulas(package, chart):
     """Replay single poses, batches, components first, and branches."""
-    machinery = TARGETS["numpy"].machinery
     for table in (POSES, ROTATIONS):
         module = importlib.import_module(".".join(filter(None, (package, table.name, chart.name))))
         assert module.CHART.native
-        assert replay(package, chart, machinery, [NUMPY], [table], geometry=True) > 100
+        assert replay(package, chart, [NUMPY], [table], geometry=True) > 100
 
 
 @pytest.mark.parametrize("name", NAMES)

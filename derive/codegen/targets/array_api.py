@@ -14,7 +14,7 @@ from ..lowering.scalar_programs import SCALARS, SQUARES
 from ..lowering.slopes import slopes
 from ..package import Data, Facts
 from ..rows import Table
-from ..validation import Library, Machinery
+from ..validation import Library
 from .python import PythonTarget, printed_scalars
 
 STRICT = "array_api_strict"
@@ -62,7 +62,6 @@ class ArrayApi(PythonTarget):
     name = "array-api"
     options = "axis: int = -1"
     files = (*PythonTarget.files, "_jax.py", "_libraries.py", "_rules.py", "_torch.py")
-    machinery = Machinery(silent=False)
 
     def shared(self) -> dict[str, Callable[[], Data]]:
         return super().shared() | {"_slopes.py": slopes_of_steps}
@@ -77,7 +76,7 @@ class ArrayApi(PythonTarget):
     def libraries(self) -> Sequence[Library]:
         """Return NumPy, and the strict reference of the standard if installed."""
         names = ("numpy", *([STRICT] if find_spec(STRICT) else []))
-        return [Library(name, importlib.import_module(name).asarray) for name in names]
+        return [Library(name, importlib.import_module(name).asarray, silent=False) for name in names]
 
 
 def held(forms: str) -> str:

@@ -14,7 +14,6 @@ from contextlib import nullcontext
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
-from pkgutil import resolve_name
 from types import ModuleType
 from typing import Any, TypeAlias
 
@@ -32,8 +31,7 @@ from .run import own_functions
 
 Array: TypeAlias = NDArray[Any]
 
-FEW = 20  # size of the largest batch that runs pose by pose; default for targets without this limit
-MORE = 7  # size by which the larger batch of a replay exceeds that
+FEW, MANY = 10, 27  # sizes of batches that NumPy runs pose by pose, and by a recorded program
 CASES_MAX = 4  # largest number of cases of a function and branch: one for each row of 4 q qᵀ
 TOLERANCE = 1 / 2
 """Share of the digits of a type that must be right in well-conditioned results: a replay tests wiring, not rounding."""
@@ -48,23 +46,15 @@ class Library:
 
     name: str
     make: Callable[[Array], Any]
+    silent: bool = True  # True if singular points give IEEE results without a warning
 
 
 NUMPY = Library("numpy", np.asarray)
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Machinery:
-    """Features of the run-time parts of a target."""
-
-    silent: bool = True  # True if singular points give IEEE results without a warning
-    few: str = ""  # constant (``module.NAME``) with the size of the largest batch that runs pose by pose
-
-
 def replay(
     source: Path | str,
     chart: Chart,
-    machinery: Machinery,
     libraries: Sequence[Library] = (NUMPY,),
     tables: Sequence[Table] = (POSES,),
     *,
@@ -77,17 +67,13 @@ def replay(
     """
     if not libraries:
         return 0
-    with (
-        loaded(source) if isinstance(source, Path) else nullcontext(source) as package,
-        warnings.catch_warnings(),
-        np.errstate(all="warn"),
-    ):
-        warnings.simplefilter("error" if machinery.silent else "ignore", RuntimeWarning)
-        few = int(resolve_name(f"{package}.{machinery.few}")) if machinery.few else FEW
+    with loaded(source) if isinstance(source, Path) else nullcontext(source) as package:
         count = 0
         for table, library in itertools.product(tables, libraries):
-            caller = Caller(module_of(package, chart, table), library, few)
-            caller.replay(_groups(chart, table, geometry), chart)
+            caller = Caller(module_of(package, chart, table), library)
+            with warnings.catch_warnings(), np.errstate(all="warn"):
+                warnings.simplefilter("error" if library.silent else "ignore", RuntimeWarning)
+                caller.replay(_groups(chart, table, geometry), chart)
             count += caller.count
         return count
 
@@ -128,15 +114,14 @@ class Caller:
 
     module: ModuleType
     library: Library
-    few: int
     count: int = 0
 
     def replay(self, groups: Sequence[Group], chart: Chart) -> None:
         """Call every function on single poses, on a few and on more."""
         for group in groups:
             count = len(group.cases)
-            many = np.arange(self.few + MORE) % count
-            for index in (*map(np.array, range(count)), np.arange(self.few // 2) % count, many):
+            few, many = (np.arange(size) % count for size in (FEW, MANY))
+            for index in (*map(np.array, range(count)), few, many):
                 self.check(group, index)
             self.check(group, many, axis=0)
             for name in group.row.aliases_in(chart):

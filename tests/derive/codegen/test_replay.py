@@ -17,9 +17,10 @@ from derive.codegen.signatures import POSES, ROTATIONS
 from derive.codegen.targets import TARGETS
 from derive.codegen.validation import NUMPY, replay
 from derive.codegen.validation.float_cases import cases
-from derive.codegen.validation.replay import Caller, Group
+from derive.codegen.validation.replay import FEW, MANY, Caller, Group
 from derive.maps import Cayley
 from derive.output import files
+from dualcay._runtime import POINTWISE_MAX
 from tests.support.packages import unvalidated
 
 CHART = Cayley(3)
@@ -59,7 +60,7 @@ def test_replay_calls_every_function_of_a_first_chart_and_fewer_of_others(
     whole, own = (TARGET.replay(tmp_path, CHART, geometry=geometry) for geometry in (True, False))
     assert 700 < whole < 1500
     assert 100 < own < whole / 2
-    assert replay(tmp_path, CHART, TARGET.machinery, [NUMPY], [ROTATIONS], geometry=True) < whole
+    assert replay(tmp_path, CHART, [NUMPY], [ROTATIONS], geometry=True) < whole
 
 
 @pytest.mark.thorough
@@ -71,6 +72,10 @@ def test_scales_are_at_least_the_norms_of_results(table) -> None:
         assert np.isfinite(case.scales).all()
 
 
+def test_batches_run_in_both_ways_of_numpy() -> None:
+    assert FEW <= POINTWISE_MAX < MANY
+
+
 @pytest.mark.parametrize(("share", "agrees"), [(0.9, True), (1.1, False), (np.nan, False)])
 def test_an_ill_conditioned_result_may_lose_sixteen_roundings_of_its_scale(share: float, agrees: bool) -> None:
     """Replace a function by one whose last component is off; half of the digits are lost already."""
@@ -79,7 +84,7 @@ def test_an_ill_conditioned_result_may_lose_sixteen_roundings_of_its_scale(share
     error = share * 16 * float(np.finfo(float).eps) * scale
     off = np.array([0, 0, 0, 0, 0, error])
     module: Any = SimpleNamespace(__name__="made", principal=lambda v, axis: v + 0.5 + off)
-    check = Caller(module, NUMPY, few=20).check
+    check = Caller(module, NUMPY).check
     group = Group(POSES.public["principal"], (), (case,))
     if agrees:
         check(group, np.array([0]))
