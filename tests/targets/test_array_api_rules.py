@@ -162,7 +162,8 @@ def test_slopes_are_differences_of_scalar_programs_along_a_ray(charts, chart):
     """Weigh every column of a rule's rows; a ray alone is differentiated at a constant size, not along a path."""
     slopes, chart = charts("_slopes"), charts(chart).CHART
     m, edge = charts("_libraries").functions_of("x", np.ones(1)), chart.scalars.coefficient
-    programs = slopes.Ruled(chart)
+    programs, bare = slopes.Ruled(chart), charts("_libraries").functions_of("x", np.ones(1))
+    bare.held = lambda a: 0 * a  # leaves the values of the expressions that give last results their derivatives
     for angle in (0.3, 1.0, 4.0):
         length = np.array([edge(m, np.array([angle]))[0][0]])
         for name, rule in slopes.SLOPES.items():
@@ -177,13 +178,36 @@ def test_slopes_are_differences_of_scalar_programs_along_a_ray(charts, chart):
                 return np.stack([0 * r + one for one in getattr(chart.scalars, name)(m, *given(r))])
 
             found, at = getattr(chart.scalars, name)(m, *given(length)), given(length)
-            last = slopes.LAST.get(name, lambda *_: ())
-            ends = len(last(m, programs, lambda *_, found=found: found, found, at))
+            last = slopes.LAST.get(name, lambda *_: ())(bare, chart.scalars, lambda *_, found=found: found, found, at)
+            ends = len(last)
+            for one, other in zip(last, found[len(found) - ends :], strict=True):
+                assert np.allclose(one, other, NEARLY, NEARLY), (name, angle)
             rates = difference(lambda r, given=given: np.stack(given(r)), [length], [1.0])
             expected = difference(value, [length], [1.0])[: len(found) - ends]
             rows = rule(m, programs, found, at)[: len(expected)]
             total = np.stack([sum(part * rate for part, rate in zip(row, rates, strict=True)) for row in rows])
             assert np.max(abs(total - expected)) < NEARLY * max(1, np.max(abs(expected))), (name, angle)
+
+
+@RULED_CHARTS
+def test_slopes_of_shares_are_differences(charts, chart):
+    """Take squares on both sides of the limit between the two forms of a share's slopes."""
+    slopes, chart = charts("_slopes"), charts(chart).CHART
+    m = charts("_libraries").functions_of("x", np.ones(1))
+    programs = slopes.Ruled(chart), slopes.Ruled(slopes.STEPS)
+    for angle in (0.3, 1.5, 2.5):
+        length = chart.scalars.coefficient(m, np.array([angle]))[0]
+        for name, square in (("share_of_square", length**2), ("share_of_angle", np.array([angle**2]))):
+            share = partial(getattr(slopes, name), m, *programs)
+            _, slope, second, *bend = share(square)
+            found = np.stack([slope, second, *bend])
+
+            def value(u, name=name, share=share):
+                further = getattr(slopes, f"_{name}")(m, *programs, u) if name == "share_of_angle" else ()
+                return np.stack([*share(u)[:2], *further[1:]])
+
+            expected = 2 * difference(value, [square], [1.0])
+            assert np.max(abs(found - expected)) < NEARLY * max(1, np.max(abs(expected))), (name, angle)
 
 
 def test_jax_and_pytorch_have_the_same_functions_of_rules():
