@@ -221,6 +221,15 @@ def test_a_switch_agrees_with_the_numpy_kernels(array_api, library):
         np.testing.assert_array_equal(np.asarray(a)[~changed], given[~changed])
 
 
+def test_a_switch_of_an_infinite_vector_leaves_no_rate(array_api):
+    """Take a chart of one branch, where v itself stays."""
+    v = np.array([np.inf, 0, 0, 0, 0, 0])
+    for module in (array_api(1), dualcay.cayley1):
+        with np.errstate(all="ignore"):
+            _, *found = module.switch(v, np.ones(6), np.eye(6))
+        assert not any(np.isfinite(part).any() for part in found)
+
+
 def test_covariances_that_are_not_symmetric_are_refused_where_values_are_known(array_api):
     v, v_dot, P = arguments()
     P[3, 1, 2] += 1e-6

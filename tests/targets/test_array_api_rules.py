@@ -200,11 +200,11 @@ def test_slopes_of_shares_are_differences(charts, chart):
         for name, square in (("share_of_square", length**2), ("share_of_angle", np.array([angle**2]))):
             share = partial(getattr(slopes, name), m, *programs)
             _, slope, second, *bend = share(square)
-            found = np.stack([slope, second, *bend])
+            found = np.stack([0 * square + one for one in (slope, second, *bend)])
 
             def value(u, name=name, share=share):
                 further = getattr(slopes, f"_{name}")(m, *programs, u) if name == "share_of_angle" else ()
-                return np.stack([*share(u)[:2], *further[1:]])
+                return np.stack([0 * u + one for one in (*share(u)[:2], *further[1:])])
 
             expected = 2 * difference(value, [square], [1.0])
             assert np.max(abs(found - expected)) < NEARLY * max(1, np.max(abs(expected))), (name, angle)
