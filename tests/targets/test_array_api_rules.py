@@ -190,6 +190,17 @@ def test_slopes_are_differences_of_scalar_programs_along_a_ray(charts, chart):
 
 
 @RULED_CHARTS
+def test_slopes_are_finite_at_rest(charts, chart):
+    slopes, chart = charts("_slopes"), charts(chart).CHART
+    m, programs = charts("_libraries").functions_of("x", np.ones(1)), slopes.Ruled(chart)
+    names = {*slopes.TOWERS, "tangent_dot_scalars", "quaternion_scalars", "rate_scalars"} - {"inverse_scalars"}
+    for name in sorted(names):
+        given = [np.zeros(1)] * len(SCALARS[name].arguments)
+        rows = slopes.SLOPES[name](m, programs, getattr(chart.scalars, name)(m, *given), given)
+        assert all(np.isfinite(part).all() for row in rows for part in row), name
+
+
+@RULED_CHARTS
 def test_slopes_of_shares_are_differences(charts, chart):
     """Take squares on both sides of the limit between the two forms of a share's slopes."""
     slopes, chart = charts("_slopes"), charts(chart).CHART
