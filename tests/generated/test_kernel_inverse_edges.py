@@ -299,7 +299,7 @@ def test_few_poses_of_float32_without_its_rules_are_refused(
 
 @pytest.mark.parametrize(("roundings", "known"), [(0, True), (5, True), (-5, True), (100, False), (-100, False)])
 def test_vectors_that_rounding_may_put_beyond_an_edge_are_known(roundings: int, known: bool) -> None:
-    """Expect the recorded program up to 5 roundings from the edge: 2 of each component of v, 3 of the sum of squares."""
+    """Expect to know 5 roundings from the edge: v rounds by 2 of its square, and the sum of squares by 3."""
     chart = orthographic.CHART
     v = np.array([0.48, -0.6, 0.64]) * np.sqrt(_runtime._limit(chart) * (1 + roundings * _numbers.ROUNDOFF))
     assert _runtime._beside_edge(chart.kernels["principal"], chart, [v]) is known

@@ -179,8 +179,13 @@ def test_slopes_are_differences_of_scalar_programs_along_a_ray(charts, chart):
 
             found, at = getattr(chart.scalars, name)(m, *given(length)), given(length)
             last = slopes.LAST.get(name, lambda *_: ())(bare, chart.scalars, lambda *_, found=found: found, found, at)
-            ends = len(last)
-            for one, other in zip(last, found[len(found) - ends :], strict=True):
+            constant = (
+                name == "tangent_dot_scalars"
+                and angle > 2
+                and not hasattr(programs.rate_scalars(m, length)[0], "shape")
+            )
+            ends = 0 if constant else len(last)  # at a constant rate and obtuse angles the last result has a slope too
+            for one, other in zip(last, found[len(found) - len(last) :], strict=True):
                 assert np.allclose(one, other, NEARLY, NEARLY), (name, angle)
             rates = difference(lambda r, given=given: np.stack(given(r)), [length], [1.0])
             expected = difference(value, [length], [1.0])[: len(found) - ends]
