@@ -89,3 +89,22 @@ def test_body_forms_are_space_forms_at_the_opposite_vector_bit_for_bit(order: in
     v, w = sampling.poses(order, "uniform", count=count), sampling.dual_vectors("w", count=count)
     np.testing.assert_array_equal(kernel.body_twist(v, w), kernel.twist(-v, w))
     np.testing.assert_array_equal(kernel.body_rate(v, w), kernel.rate(-v, w))
+
+
+@pytest.mark.parametrize("dtype", [np.float32, np.float64, np.longdouble])
+def test_a_plain_number_takes_the_type_of_the_arrays(dtype: type) -> None:
+    v = np.arange(6, dtype=dtype) / 8
+    for t in (1, 0.5):
+        assert dualcay.cayley3.interpolate(0 * v, v, t).dtype == dtype
+    assert dualcay.cayley3.interpolate(0 * v, v, np.array(0.5)).dtype == np.result_type(dtype, np.float64)
+
+
+def test_quaternions_with_the_scalar_last_have_it_last_in_each_half() -> None:
+    v = np.arange(1, 13.0).reshape(2, 6) / 8
+    for axis, given in ((-1, v), (0, v.T)):
+        first, last = (dualcay.cayley3.quaternion(given, axis=axis, scalar_first=way) for way in (True, False))
+        assert np.array_equal(last, np.take(first, [1, 2, 3, 0, 5, 6, 7, 4], axis))
+        assert np.array_equal(
+            dualcay.cayley3.from_quaternion(last, axis=axis, scalar_first=False),
+            dualcay.cayley3.from_quaternion(first, axis=axis),
+        )

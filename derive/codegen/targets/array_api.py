@@ -8,15 +8,13 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 from importlib.util import find_spec
 
-import numpy as np
-
 from ..lowered import lower_chart
 from ..lowering.retraction import EXPONENTIAL
 from ..lowering.scalar_programs import SCALARS, SQUARES
+from ..lowering.slopes import slopes
 from ..package import Data, Facts
 from ..rows import Table
-from ..validation import Library, Machinery, runtime
-from ..validation.slopes import slopes
+from ..validation import Library
 from .python import PythonTarget, printed_scalars
 
 STRICT = "array_api_strict"
@@ -50,8 +48,6 @@ VALUE = re.compile(r"^    (\w+) = (\(\n(?:        .*\n)+    \)|(?!m\.where).*[*/
 READERS = 3
 """Number of steps that read a value, from which it is stored; an expression of several lines always is."""
 
-STANDARD = (np.dtype(np.float64), np.dtype(np.float32))
-
 
 def slopes_of_steps() -> Data:
     """Return the exponential's scalars and the names of slopes, for the rules of differentiation."""
@@ -66,8 +62,6 @@ class ArrayApi(PythonTarget):
     name = "array-api"
     options = "axis: int = -1"
     files = (*PythonTarget.files, "_jax.py", "_libraries.py", "_rules.py", "_torch.py")
-    machinery = Machinery(out=False, silent=False)
-    checks = (*PythonTarget.checks, runtime.steps, slopes, runtime.rules)
 
     def shared(self) -> dict[str, Callable[[], Data]]:
         return super().shared() | {"_slopes.py": slopes_of_steps}
@@ -80,9 +74,9 @@ class ArrayApi(PythonTarget):
         return {**found, **marked({"programs": found["programs"]}, held), "stored": STORED}
 
     def libraries(self) -> Sequence[Library]:
-        """Return NumPy, and the strict reference of the standard if installed, with the standard's types."""
+        """Return NumPy, and the strict reference of the standard if installed."""
         names = ("numpy", *([STRICT] if find_spec(STRICT) else []))
-        return [Library(name, importlib.import_module(name).asarray, STANDARD) for name in names]
+        return [Library(name, importlib.import_module(name).asarray, silent=False) for name in names]
 
 
 def held(forms: str) -> str:
@@ -117,4 +111,4 @@ def rules_of_slopes() -> Data:
     """Return the names of results whose slopes other programs return, and the programs of three squares."""
     results = {name: SCALARS[name].results for name in (*TOWERS, "tangent_dot_scalars")}
     squares = tuple(name for name in TOWERS if SCALARS[name].arguments == SQUARES)
-    return {"results": results, "towers": TOWERS, "squares": squares}
+    return {"results": results, "towers": TOWERS, "squares": squares, "slopes": slopes()}

@@ -20,7 +20,7 @@ from ..lowered import geometry, printed_geometry, shared_with_poses
 from ..package import Data, Facts
 from ..programs.program import Call, Program
 from ..rows import Function, Table
-from ..validation import Library, runtime
+from ..validation import Library
 from . import infix
 from .expression import WIDTH, Lists, items
 from .python import PythonFunction, PythonTarget, formula_of
@@ -100,7 +100,6 @@ class Numba(PythonTarget):
     name = "numba"
     options = "axis: int = -1, out: Array | None = None, parallel: bool = False"
     files = (*PythonTarget.files, "_compiled.py")
-    checks = (runtime.tools,)
 
     def shared(self) -> dict[str, Callable[[], Data]]:
         rows = [row for table in self.tables for _, row in sorted(table.public.items()) if row.constants]

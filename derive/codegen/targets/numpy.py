@@ -12,7 +12,6 @@ from ..lowering.scalar_programs import SCALARS, powers_of_factor
 from ..package import Data, Facts, fingerprint
 from ..rows import Function
 from ..signatures import POSES
-from ..validation import Machinery, motions
 from .expression import items
 from .python import CLASSES, PythonTarget, printed_program, printed_scalars
 
@@ -31,8 +30,6 @@ class Numpy(PythonTarget):
     )  # fmt: skip
     tools = ("dask", "interop")
     imports_bases = True
-    checks = (*PythonTarget.checks, *motions.CHECKS)
-    machinery = Machinery(few="_runtime.POINTWISE_MAX", block="_kernel.BLOCK")
 
     def shared(self) -> dict[str, Callable[[], Data]]:
         tables = {

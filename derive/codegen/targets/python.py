@@ -23,7 +23,7 @@ from ..programs.program import Program
 from ..programs.shared import with_helpers
 from ..rows import Function, Table, inside
 from ..signatures import JACOBIAN, POSES, ROTATIONS, SIDES
-from ..validation import NUMPY, Library, Machinery, replay, runtime, validate
+from ..validation import NUMPY, Library, replay, validate
 from ..validation.calls import require_calls
 from . import infix
 
@@ -47,9 +47,6 @@ class PythonTarget(Target):
     extension = "py"
     entry = "__init__.py"
     comment = "#"
-    machinery = Machinery()
-    checks: Sequence[runtime.Check] = (runtime.tools, runtime.laws)
-    """Checks of run-time parts that are written by hand, on floats or, without a replay, on numbers of 50 digits."""
     files: tuple[str, ...] = ("_branches.py", "_chart.py", "_checks.py", "_runtime.py", "_tools.py")
     """Files whose templates take no data."""
     tools: tuple[str, ...] = ()
@@ -143,9 +140,7 @@ class PythonTarget(Target):
         return validate(folder, chart, geometry, self.tables)
 
     def replay(self, folder: Path, chart: Chart, geometry: bool) -> int:
-        libraries = self.libraries()
-        count = replay(folder, chart, self.machinery, libraries, self.tables, geometry=geometry)
-        return count + (runtime.check(folder, chart, self.checks, exact=not libraries) if geometry else 0)
+        return replay(folder, chart, self.libraries(), self.tables, geometry=geometry)
 
     def libraries(self) -> Sequence[Library]:
         return (NUMPY,)

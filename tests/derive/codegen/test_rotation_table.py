@@ -14,7 +14,7 @@ from derive.codegen.lowering.scalar_programs import SQUARES
 from derive.codegen.programs.program import Call
 from derive.codegen.signatures import POSES, ROTATIONS
 from derive.codegen.targets import TARGETS
-from derive.codegen.validation import NUMPY, Machinery, replay, validate
+from derive.codegen.validation import NUMPY, replay, validate
 from derive.maps import Cayley
 from derive.output import files
 
@@ -90,7 +90,7 @@ def test_wrong_wiring_of_rotations_fails_replay(texts, tmp_path: Path) -> None:
     assert wrong != texts[INTERFACE]
     files.write(tmp_path, {**texts, INTERFACE: wrong})
     with pytest.raises(ValidationFailed, match="to_angle_axis"):
-        replay(tmp_path, Cayley(1), Machinery(few="_runtime.POINTWISE_MAX"), (NUMPY,), (ROTATIONS,), geometry=True)
+        replay(tmp_path, Cayley(1), (NUMPY,), (ROTATIONS,), geometry=True)
 
 
 @pytest.mark.parametrize("name", ["rotation", "rotation_mine"])
