@@ -23,7 +23,6 @@ class Polynomials:
         self.one, self.zero = self.constant(1), self.constant(0)
 
     def constant(self, value: Rational | int) -> Polynomial:
-        """Return a constant polynomial."""
         return self._context.constant(flint.fmpq(int(value.numerator), int(value.denominator)))
 
     def square_root(self, a: Polynomial) -> Polynomial | None:

@@ -124,7 +124,6 @@ class Tensor(Structure):
         return Vector((t[2][1] - t[1][2]) / 2, (t[0][2] - t[2][0]) / 2, (t[1][0] - t[0][1]) / 2)
 
     def trace(self) -> Coefficient:
-        """Return the trace."""
         return self.rows[0][0] + self.rows[1][1] + self.rows[2][2]
 
     def det(self) -> Coefficient:

@@ -67,7 +67,6 @@ def decide(
 
 
 def _result(paper: str, entry: Entry, claims: Sequence[Claim], findings: Sequence[Finding]) -> Result:
-    """Return the result of an entry by the findings of its readings."""
     rows = sorted(zip(claims, findings, entry.readings, strict=True), key=lambda row: not row[1].holds)
     (claim, finding, _), verdicts = rows[0], tuple(_verdict(*row) for row in rows)
     status, method = finding.status, finding.method
@@ -96,7 +95,6 @@ def _verdict(claim: Claim, finding: Finding, reading: Reading) -> Verdict:
 
 
 def _outside(claim: Claim, finding: Finding) -> Counterexample | None:
-    """Return the point outside the condition that was found."""
     place = finding.outside
     return None if place is None or not finding.holds else shown_at(claim, place, outside_words(claim, place))
 

@@ -87,7 +87,6 @@ class Entry(Typeset):
 
     @property
     def definitions(self) -> dict[Symbol, Definition]:
-        """Return the definitions by symbol."""
         return {definition.symbol: definition for definition in self.where}
 
     def free(self, statement: Term) -> tuple[Symbol, ...]:

@@ -75,8 +75,6 @@ class Transcript:
 
 
 def _definition(symbol: Symbol, parameters: Sequence[Symbol], body: Term) -> Definition:
-    """Return the definition of a name: its value, or the function of its parameters."""
-
     def value(env: Env, *_: Any) -> Any:
         if not parameters:
             return env.value(body)

@@ -96,7 +96,6 @@ def _formulas(chart: Chart, what: tuple[str, ...]) -> dict[str, Any]:
 
 
 def _label(chart: Chart) -> dict[str, Any]:
-    """Return the order of a Cayley map, or name and φ of another chart."""
     return {"n": chart.order} if chart.selection[0] == "-n" else {"name": chart.name, "phi": _text(chart.written)}
 
 
@@ -150,7 +149,6 @@ def compare(
 
 
 def _require_plot(file: Path) -> None:
-    """Raise an error if a plot cannot be drawn or written, before any work."""
     try:
         from matplotlib.backend_bases import FigureCanvasBase
     except ImportError:

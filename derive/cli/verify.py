@@ -82,7 +82,6 @@ class Unreadable(click.ClickException):
 
 
 def _single(claim: str, letters: Sequence[str], domain: str) -> Sheet:
-    """Return one claim of the command line as a sheet."""
     wrong = next((text for text in letters if not all(part.strip() for part in text.partition("="))), None)
     if wrong is not None:
         raise click.BadParameter(f"expected NAME=KIND such as v=vector, got {wrong!r}", param_hint="--let")

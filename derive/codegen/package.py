@@ -56,7 +56,6 @@ class Module:
 
     @property
     def text(self) -> str:
-        """Return the text of the module for poses."""
         return self.texts[self.name]
 
     def __repr__(self) -> str:

@@ -46,7 +46,6 @@ class PowerSum(sympy.Sum):  # type: ignore[misc]  # SymPy is untyped
         return sympy.expand(symbol * self.function.diff(symbol) / self.function) - self.limits[0][0]
 
     def _terms(self, symbol: sympy.Symbol, below: int) -> sympy.Expr:
-        """Return the terms with powers of a symbol below the given one."""
         ((index, first, _),) = self.limits
         places = range(int(first), int(below - self._shift(symbol)))
         return sum((self.function.subs(index, place) for place in places), sympy.Integer(0))
@@ -72,12 +71,10 @@ def power_sum(coefficient: sympy.Expr, last: sympy.Expr, first: int = 0) -> symp
 
 
 def p_sum(n: sympy.Expr) -> sympy.Expr:
-    """Return p_n, CP23 (51)."""
     return power_sum((-1) ** k * choose(n, 2 * k), n / 2)
 
 
 def q_sum(n: sympy.Expr) -> sympy.Expr:
-    """Return q_n, CP23 (52)."""
     return power_sum((-1) ** k * choose(n, 2 * k + 1), (n - 1) / 2)
 
 

@@ -278,7 +278,6 @@ def _definitions(n: int | sympy.Expr) -> dict[str, str]:
 
 
 def _power(exponent: int | sympy.Expr) -> str:
-    """LaTeX of a power of 1 + x."""
     if exponent == 0:
         return ""
     return "(1 + x)" if exponent == 1 else f"(1 + x)^{{{exponent}}}"

@@ -240,7 +240,6 @@ class CayleyScalars:
 
 
 def scalars(n: int, at: Coefficient) -> CayleyScalars:
-    """Return the scalars of order n at a number x."""
     return CayleyScalars(require_order(n), at, PLAIN)
 
 

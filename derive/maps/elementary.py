@@ -80,7 +80,6 @@ class Quotient(sympy.Function):  # type: ignore[misc]  # SymPy is untyped
 
     @property
     def power(self) -> int:
-        """Power k of the angle."""
         return int(self.args[1])
 
     @property

@@ -56,7 +56,6 @@ class Polynomial:
     centre: Fraction = Fraction(0)
 
     def at(self, x: Coefficient, m: Arithmetic, name: str) -> Coefficient:
-        """Return the value at x."""
         centred = x - self.centre if self.centre else x
         t = m.name(f"{name}_t", shifted(centred, self.scale, m))
         unit = m.name(f"{name}_unit", t - t + 1) if self._is_long else 1
@@ -76,7 +75,6 @@ class Polynomial:
 
     @cached_property
     def coefficients(self) -> list[Any]:
-        """Coefficients of the powers of t."""
         parts = [mpmath.ldexp(1, -self.shift - BITS * place) for place in range(len(self.levels))]
         return [mpmath.fdot(digits, parts) for digits in zip(*self.levels, strict=True)]
 
@@ -107,7 +105,6 @@ def _split(number: Any, levels: int, precision: int) -> Polynomial:
 
 
 def times(number: Any, value: Coefficient, m: Arithmetic, name: str, levels: int = LEVELS) -> Coefficient:
-    """Return a real number times a value."""
     if is_small(number):
         return m.div(number.numerator * value, number.denominator)
     split = _split(number, levels, mpmath.mp.prec)
@@ -131,5 +128,4 @@ def plus(value: Coefficient, number: Any, m: Arithmetic, name: str, levels: int 
 
 
 def is_small(number: Any) -> bool:
-    """Return whether a number is a fraction of small integers."""
     return isinstance(number, int | Fraction) and max(abs(number.numerator), number.denominator) <= SMALL

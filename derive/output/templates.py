@@ -22,7 +22,6 @@ def folder() -> Path:
 
 @cache
 def environment() -> jinja2.Environment:
-    """Return the environment that renders all templates."""
     return jinja2.Environment(
         loader=jinja2.FileSystemLoader(folder(), encoding="utf-8"),
         undefined=jinja2.StrictUndefined,

@@ -58,7 +58,6 @@ def pieces(latex: str) -> Iterator[str]:
 
 
 def write_html(output: Path) -> None:
-    """Write the sheet as HTML."""
     files.put(output, page())
 
 

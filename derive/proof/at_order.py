@@ -131,7 +131,6 @@ def computations(order: int, functions: Mapping[str, Function] = FUNCTIONS) -> t
 
 
 def _coefficients(found: Any) -> tuple[Any, ...]:
-    """Return the coefficients of a quaternion, tensor or operator; a polynomial counts as one coefficient."""
     return found if isinstance(found, tuple) else tuple(getattr(found, "coefficients", (found,)))
 
 

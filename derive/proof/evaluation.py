@@ -122,7 +122,6 @@ class Evaluation:
         self.definitions: dict[sympy.Expr, sympy.Expr] = {}  # of further symbols and terms
 
     def number(self, value: Fraction) -> Any:
-        """Return a rational number as a value."""
         return value
 
     def differentiated(self, by: Any, value: Any) -> Any:
@@ -174,7 +173,6 @@ class Evaluation:
 
 
 def flat(value: Any) -> list[Any]:
-    """Return the components of a value."""
     return [value] if not isinstance(value, Structure) else list(cast(Iterable[Any], value))
 
 

@@ -77,7 +77,6 @@ DOUBLING = identity(
 
 
 def _slope(e: sympy.Expr) -> sympy.Expr:
-    """Return the derivative by x of an expression in x, p_n(x) and q_n(x)."""
     return e.diff(x) + e.diff(p) * prime(p) + e.diff(q) * prime(q)
 
 

@@ -27,7 +27,6 @@ class InRing(Method):
     symbols: Symbols
 
     def names(self) -> str:
-        """Return the names of the symbols for the title."""
         names = ", ".join(str(symbol) for symbol in (*self.symbols.scalars, *self.symbols.vectors))
         free = ", ".join(map(str, self.symbols.free))
         return f"{names}; {free} free" if free else names
@@ -72,7 +71,6 @@ class Determined(InRing):
 
     @property
     def by_steps(self) -> bool:
-        """Tell whether the laws are recurrences."""
         return bool(self.start.left.is_integer)
 
     @property

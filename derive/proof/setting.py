@@ -100,7 +100,6 @@ class Setting(Evaluation):
             raise NoValueError(f"{notation.text(term)} is no symbol, whose rate or slope may be given")
 
     def has_rate(self, symbol: sympy.Expr) -> bool:
-        """Return whether a premise gives the rate of a symbol."""
         return self.ring.symbols.get(symbol) in self.rates
 
     # --- values ---------------------------------------------------------------------------------------------------
@@ -134,7 +133,6 @@ class Setting(Evaluation):
 
     @property
     def slopes(self) -> dict[Any, Any]:
-        """Derivation by x."""
         return self._slopes | {self.ring.symbols[notation.x]: self.ring.constant(1)}
 
     def relation_rates(self) -> list[Element]:
@@ -168,7 +166,6 @@ def _derivative(rates: Mapping[Any, Any], value: Any) -> Any:
 
 
 def _is_power(term: sympy.Expr) -> bool:
-    """Return whether a term is a power with a symbolic exponent."""
     return bool(term.is_Pow and not term.exp.is_Integer)
 
 

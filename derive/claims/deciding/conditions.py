@@ -125,7 +125,6 @@ def plain(probe: Probe, requirement: Exclusion) -> str:
 
 
 def _real(subject: Term) -> Term:
-    """Return the real part of a term with dual letters."""
     if subject.operator is norm:
         return norm(_real(*subject.arguments))
     return subject if subject.operator is Re else Re(subject)

@@ -97,7 +97,6 @@ class Outcome:
 
     @property
     def points(self) -> int:
-        """Number of points that told."""
         return len(self.true) + len(self.false) + len(self.undefined)
 
     @property
@@ -106,7 +105,6 @@ class Outcome:
         return sum(place.generic for place in self.true) >= REGION_MIN
 
     def add(self, truth: bool | None, place: Place) -> None:
-        """Add a point."""
         (self.undefined if truth is None else self.true if truth else self.false).append(place)
 
     def tried(self, claim: Claim, found: Iterable[Place], enough: Callable[[Outcome], bool]) -> Outcome:

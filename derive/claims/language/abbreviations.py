@@ -53,7 +53,6 @@ class Abbreviation:
         return Symbol(name, quantity, self.latex or latex_of(self.name), self.name)
 
     def symbols(self) -> tuple[Symbol, ...]:
-        """Return the symbols of the parameters."""
         return tuple(Symbol(f"{p} of {self.name}", "index", latex_of(p), p) for p in self.parameters)
 
 

@@ -87,7 +87,6 @@ class Reader:
         self.text = self.text.strip()
 
     def error(self, message: str, node: ast.expr) -> ClaimError:
-        """Return the error at a node."""
         return ClaimError(message, node.col_offset + 1 + self.shift)
 
     def read(self, node: ast.expr) -> tuple[Term, Kind]:

@@ -78,7 +78,6 @@ class Reader(Protocol):
 
 
 def integer(node: ast.expr) -> int | None:
-    """Return a written integer, or None."""
     match node:
         case ast.Constant(value=int(value)):
             return value

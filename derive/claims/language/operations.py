@@ -44,7 +44,6 @@ class Operation:
 
 
 def same(kind: Kind, *rest: Kind) -> Kind:
-    """Return the kind of the first argument."""
     return kind
 
 
@@ -200,7 +199,6 @@ CONSTANTS: dict[str, tuple[Symbol, Kind]] = {
 
 
 def term(call: str, arguments: Sequence[Term], kinds: Sequence[Kind]) -> tuple[Term, Kind]:
-    """Return the term of a call and its kind; raise KindError."""
     row = OPERATIONS[call]
     kind = row.kind(call, kinds)
     return row.term(*arguments), kind

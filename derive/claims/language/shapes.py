@@ -35,7 +35,6 @@ def article(words: str) -> str:
 
 
 def is_number(kind: Kind) -> bool:
-    """Return whether a kind is a number."""
     return kind in NUMBERS
 
 
@@ -68,7 +67,6 @@ def sum_kind(a: Kind, b: Kind, sign: str) -> Kind:
 
 
 def product_kind(a: Kind, b: Kind) -> Kind:
-    """Return the kind of a product."""
     if is_number(a) or is_number(b):
         return (b if is_number(a) else a) if a == b or not (is_number(a) and is_number(b)) else "number"
     if "quaternion" in (a, b) and TESTS["quaternion"](a) and TESTS["quaternion"](b):
@@ -80,7 +78,6 @@ def product_kind(a: Kind, b: Kind) -> Kind:
 
 
 def quotient_kind(a: Kind, b: Kind) -> Kind:
-    """Return the kind of a quotient."""
     if is_number(b):
         return "number" if is_number(a) else a
     if b == "quaternion" and TESTS["quaternion"](a):
@@ -89,7 +86,6 @@ def quotient_kind(a: Kind, b: Kind) -> Kind:
 
 
 def power_kind(a: Kind, b: Kind) -> Kind:
-    """Return the kind of a power."""
     if is_number(a) and is_number(b):
         return "number"
     if b == "integer" and (a == "quaternion" or TESTS["square matrix"](a)):

@@ -84,7 +84,6 @@ add = _of_either(mixed.add)
 
 
 def negative(a: Any) -> Any:
-    """Return the negative of a value."""
     return a.map(negative) if isinstance(a, Either) else -a
 
 
@@ -131,12 +130,10 @@ def square(a: Any) -> Any:
 
 
 def re(a: Any) -> Any:
-    """Return the real part."""
     return getattr(a, "re", a)
 
 
 def du(a: Any) -> Any:
-    """Return the dual part."""
     return getattr(a, "du", 0)
 
 
@@ -154,12 +151,10 @@ def det(a: Any) -> Any:
 
 
 def rotation(T: Any) -> Any:
-    """Return the rotation of a 4x4 matrix."""
     return matrix.part(T, range(3), range(3))
 
 
 def translation(T: Any) -> Any:
-    """Return the translation of a 4x4 matrix."""
     return matrix.part(T, range(3), range(3, 4))
 
 

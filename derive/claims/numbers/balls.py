@@ -126,7 +126,6 @@ def arb(value: Any) -> Any:
 
 
 def widened(a: Any, error: Any) -> Ball:
-    """Return a number as a ball that includes an error of this size."""
     middle, size = arb(a), abs(arb(error)).upper()
     return Ball((middle - size).union(middle + size))
 

@@ -45,7 +45,6 @@ class Field(Elementary):
         return self.atan2(a, 1)
 
     def absolute(self, a: Any) -> Any:
-        """Return the magnitude of a number."""
         return abs(a)
 
     def floor(self, a: Any) -> int:
@@ -92,7 +91,6 @@ class Field(Elementary):
         return Quaternion(size * self.cos(angle), size * self.sin(angle) / length * w)
 
     def same(self, a: Any, b: Any) -> bool:
-        """Return whether two plain numbers are equal."""
         return bool(a == b)
 
     def vanishes(self, a: Any) -> bool:
@@ -105,7 +103,6 @@ class Field(Elementary):
 
     @property
     def pi(self) -> Any:
-        """The number π."""
         raise NotExactError("π")
 
 

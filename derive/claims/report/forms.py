@@ -101,7 +101,6 @@ def table(chapter: Chapter, status: Status) -> Grid:
 
 
 def _erratum(result: Result) -> Rows:
-    """Yield the rows of an erratum: both forms, the method, and a numerical counterexample."""
     yield _name(result), _lines(plain(result.printed), *domain(result)), plain(result.corrected or "")
     yield KNOWN, result.method, readings(result)
     if result.counterexample is not None:
@@ -114,7 +113,6 @@ def _ambiguous(result: Result) -> Rows:
 
 
 def _true(result: Result) -> Rows:
-    """Yield the row of an equation with its domain and method."""
     yield _name(result), plain(result.printed), _lines(*domain(result), result.method)
 
 
@@ -213,7 +211,6 @@ def in_cell(latex: str) -> str:
 
 
 def mathml(latex: str) -> str:
-    """Return the formula as displayed MathML."""
     from latex2mathml.converter import convert  # slow import, needed by one format only
 
     return str(convert(re.sub(r"\\text\{([^{}$]*(?:\$[^$]*\$[^{}$]*)+)\}", _apart, latex), display="block"))

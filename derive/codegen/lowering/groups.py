@@ -88,7 +88,6 @@ def between_jacobians(trace: Geometry) -> Results:
 
 
 def _by_factors(trace: Geometry, second: Numbers, first: Numbers) -> tuple[Numbers, Numbers]:
-    """Return the derivatives of compose(second, first) by its second and by its first factor."""
     v = trace.apply(compose, "v{}", second, first)
     back = trace.apply(tangent_inv, "back{}", v)
     T2, T1 = trace.apply(tangent, "T2{}", second), trace.apply(tangent, "T1{}", first)

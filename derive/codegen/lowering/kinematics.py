@@ -74,7 +74,6 @@ def body_tangent_inv(trace: Geometry) -> Results:
 
 
 def opposite(v: tuple[Number, ...]) -> tuple[Number, ...]:
-    """Return −v."""
     return tuple(-component for component in v)
 
 

@@ -185,7 +185,6 @@ def _list_name(pattern: str, program: Program) -> str:
 
 
 def is_dual(name: str) -> bool:
-    """Tell from its name whether a component is a dual part."""
     return name.endswith(("o", "°"))
 
 
@@ -263,7 +262,6 @@ class Point:
 
     @cached_property
     def v(self) -> Vector:
-        """Return v as a vector of dual numbers."""
         return Vector.dual(self.re, self.du)
 
     def lifted(self, function: str, letters: Sequence[str]) -> tuple[Number, ...]:

@@ -166,7 +166,6 @@ SCALARS: Mapping[str, Scalar] = {
 
 
 def table_names(chart: Chart) -> tuple[str, ...]:
-    """Return the names of the components of the table of returns."""
     return tuple(f"{column}{j}" for j in range(1, len(chart.returns()) + 1) for column in TABLE)
 
 

@@ -44,7 +44,6 @@ class Call:
 
     @property
     def groups(self) -> tuple[Operand | tuple[Operand, ...], ...]:
-        """Return the arguments: numbers, and lists of numbers."""
         if not self.result:
             return self.args
         left, found = list(self.args), []
@@ -110,7 +109,6 @@ class Program:
 
     @property
     def operands(self) -> set[Operand]:
-        """Return all operands of statements, and the outputs."""
         read = {arg for statement in self.statements for arg in statement.args}
         return read | set(self.outputs)
 
@@ -152,7 +150,6 @@ class Value:
 
     @property
     def operands(self) -> list[Value]:
-        """Return the operands that are not constants."""
         return [arg for arg in self.args if isinstance(arg, Value)]
 
 

@@ -106,7 +106,6 @@ def once(forms: str) -> str:
 
 
 def marked(printed: Data, mark: Callable[[str], str]) -> Data:
-    """Return lists of printed programs with marks in their text."""
     return {
         name: [replace(program, forms=mark(program.forms)) for program in programs]
         for name, programs in printed.items()

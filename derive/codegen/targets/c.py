@@ -172,7 +172,6 @@ class C(Target):
         return {inside(ROTATIONS, f"{facts.chart.name}.h"): (inside(ROTATIONS, "chart.h"), data)}
 
     def tests(self, facts: Facts) -> dict[str, tuple[str, Data]]:
-        """Return one test of all headers of the chart."""
         chart = facts.chart
         tested = [(c_text.prefix(chart, table), [*differential_tables(chart, table)]) for table in self.tables]
         headers = [inside(table, f"{chart.name}.h") for table in self.tables]
@@ -228,5 +227,4 @@ def _results(arrays: Sequence[Array], found: Sequence[FloatCase]) -> Iterator[Va
 
 
 def _hexadecimal(values: Sequence[Any]) -> tuple[str, ...]:
-    """Return exact C literals, without trailing zeros."""
     return tuple(re.sub(r"\.?0*p", "p", float(value).hex()) for value in values)

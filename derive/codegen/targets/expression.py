@@ -150,7 +150,6 @@ class Lists:
 
 
 def unpacked(names: Sequence[str], value: str) -> str:
-    """Return an assignment that unpacks a value into names."""
     return f"{', '.join(names)}{',' * (len(names) == 1)} = {value}"
 
 

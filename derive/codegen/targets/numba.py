@@ -88,7 +88,6 @@ def _call(program: Program, group: Sequence[int], indent: str, suffix: str) -> s
 
 
 def _called(programs: Sequence[PythonFunction]) -> list[str]:
-    """Return the functions of ``_compiled`` that the programs call."""
     text = "".join(program.forms for program in programs)
     names = ("atan2", "expm1", "log1p", "number", "reciprocal", "sqrt", "tan", "where")
     return [name for name in names if re.search(rf"\b{name}\(", text)]

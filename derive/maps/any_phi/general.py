@@ -179,7 +179,6 @@ class General(AngleChart):
 
     @property
     def _first(self) -> Any:
-        """Angle at the limit of x."""
         return self.inverse(mpmath.sqrt(float(self.near.limit)))
 
     @cached_property
@@ -271,6 +270,5 @@ class General(AngleChart):
         return r * one, slope * one, bend * one
 
     def lengths(self, angle: Coefficient, square: Coefficient, m: Arithmetic, mark: str) -> PhiValues | Lengths:
-        """Return φ and its derivatives at an angle, given its square."""
         near = self.beside_zero
         return Lengths(near, self.far.edge, angle, square, m, mark) if near else PhiValues(angle, m)

@@ -47,7 +47,6 @@ class Guess(ABC):
 
     @property
     def to_edge(self) -> bool:
-        """Tell whether φ′ is 0 or infinite at the edge."""
         return bool(mpmath.isinf(self.size))
 
     @abstractmethod
@@ -161,7 +160,6 @@ class Fitted(Guess):
         return {}
 
     def _place(self, angle: Any) -> tuple[Any, Any]:
-        """Return the length and the variable at an angle."""
         if angle not in self._places:
             r = real_value(self.phi, angle, self.phi)
             self._places[angle] = r, self.variable.of(r * r, r, PLAIN)

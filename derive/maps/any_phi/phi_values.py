@@ -38,7 +38,6 @@ class PhiValues:
         self._known: dict[Any, Coefficient] = {alpha: angle}
 
     def at(self, expression: sympy.Expr) -> Coefficient:
-        """Return the value of an expression."""
         if alpha not in expression.free_symbols:
             found = number(expression)
             if is_small(found):

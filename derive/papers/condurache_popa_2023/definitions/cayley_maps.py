@@ -97,7 +97,6 @@ def branch(env: Env, n: Any, k: int, alpha: Any, u: Vector) -> Any:
 
 
 def constant(env: Env, value: Any) -> Callable[[Any], Any]:
-    """Return a constant function of v with this value."""
     return lambda argument: value
 
 

@@ -124,7 +124,6 @@ Frame = Callable[[int], Vector]
 
 
 def multiplies_onto(env: Env, a: Any) -> bool:
-    """Return whether some multiple of a is 1."""
     try:
         return bool(env.equal(a * (1 / a), 1))
     except ZeroDivisionError:
@@ -154,7 +153,6 @@ def axes(env: Env, u: Vector, a: Vector) -> bool:
 
 
 def one_axis(env: Env, a: Vector) -> Any:
-    """Return a unit vector along a."""
     if not env.field.vanishes(innermost(a.dot(a))):
         return a / env.field.magnitude(a)
     length = env.field.magnitude(a.du)

@@ -75,7 +75,6 @@ def moments_of(env: Env, m: Vector, alpha: Any, u: Vector) -> bool:
 
 
 def exponential(env: Env, a: Vector) -> Tensor:
-    """Return the exponential of the skew-symmetric tensor of a vector."""
     return tensor_exponential(a, env.field)
 
 
