@@ -88,8 +88,7 @@ class Function:
 
     def aliases_in(self, chart: Chart) -> list[str]:
         """Return its further names in the module of a chart: dcay for Cayley maps, dexp for the exponential."""
-        stem = "dcay" if chart.cayley else "dexp" if chart.name == "exponential" else None
-        return [alias.replace("dcay", stem) for alias in self.aliases] if stem else []
+        return [alias.replace("dcay", chart.operator) for alias in self.aliases] if chart.operator else []
 
     @property
     def source(self) -> str:

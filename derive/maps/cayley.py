@@ -77,6 +77,7 @@ class Cayley(BranchesOfOrder):
 
     order: int
     vector: ClassVar[str] = "Rodrigues dual vector"
+    operator: ClassVar[str] = "dcay"
     name: str = field(default="", repr=False)
     selection: tuple[str, str] = field(default=("", ""), repr=False)
 

@@ -52,6 +52,7 @@ class Chart(ChartFormulas):
     selection: tuple[str, str]  # command-line option and its value, such as -n, 3
     title: str  # headline, such as "Cayley map of order 3"
     vector: ClassVar[str] = "dual vector"  # name of v in the field
+    operator: ClassVar[str] = ""  # name of T in the field, if any
     base: Chart | None = None  # chart of the vector w, with v = factor · w
     factor: Fraction = Fraction(1)  # factor of the base chart; 1 without one
 

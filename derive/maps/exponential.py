@@ -273,6 +273,7 @@ class Exponential(AngleChart):
     selection: tuple[str, str] = ("--family", "exponential")
     title: str = "Exponential map"
     vector: ClassVar[str] = "Euler dual vector"
+    operator: ClassVar[str] = "dexp"
 
     @property
     def phi(self) -> sympy.Expr:

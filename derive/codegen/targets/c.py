@@ -21,7 +21,7 @@ from ...maps.chart import Chart
 from ..lowered import ChartPrograms, geometry, printed_geometry
 from ..lowering.scalar_programs import SCALARS, table_names
 from ..package import Data, Facts, Target, cited
-from ..programs.program import Assignment, Program
+from ..programs.program import Program
 from ..rows import Array, Function, Table, inside
 from ..signatures import POSES, ROTATIONS
 from ..validation import c_text, compiled
@@ -35,16 +35,6 @@ LEVELS = {"abs": 1, "sqrt": 1, "tan": 2, "atan2": 2, "expm1": 2, "log1p": 2}
 
 NAMES = {"R": "tensor", "T": "pose"}
 """Replacements of array names in capital letters, which may collide with macros of other libraries."""
-
-_SOME = (Assignment("place", "add", (1, "x"), False),)  # a number with a root
-IDLE: Mapping[str, Program] = {
-    name: Program(name, tuple((a, (a,)) for a in SCALARS[name].arguments if a != "table"), statements, outputs)
-    for name, statements, outputs in (
-        ("beyond", _SOME, (0, "place", 1, 0)), ("direction", (), (1,)),
-        ("turned", (), (0, 0, 0)), ("rate_scalars", (), (1,)),
-    )
-}
-"""Placeholders of scalar programs that geometry names but some charts never call."""
 
 GATE = 8  # largest error in a differential test, in machine epsilons times the scale of the result
 
@@ -102,7 +92,7 @@ def levels(chart: ChartPrograms) -> dict[str, int]:
 def scalars(chart: ChartPrograms) -> Mapping[str, Program]:
     """Return the scalars of a chart, and placeholders for the others that geometry names."""
     named = {call.function for program in geometry(chart.table).values() for call in program.calls}
-    return {**chart.scalars, **{name: IDLE[name] for name in sorted(named - chart.scalars.keys())}}
+    return {**chart.scalars, **{name: SCALARS[name].placeholder(name) for name in sorted(named - chart.scalars.keys())}}
 
 
 def shared_geometry(table: Table) -> Data:

@@ -17,7 +17,7 @@ from ...maps.chart_formulas import DEFINITIONS
 from ...maps.named import NUMBERED, SINGLE
 from ...proof import shown
 from ..lowered import printed_geometry, shared_with_poses
-from ..lowering.scalar_programs import FORMULAS
+from ..lowering.scalar_programs import SCALARS
 from ..package import Data, Facts, Target, cited, comment
 from ..programs.program import Program
 from ..programs.shared import with_helpers
@@ -212,9 +212,14 @@ def _printed(program: Program, formula: str) -> PythonFunction:
     return PythonFunction(program.name, parameters, body, formula)
 
 
+def formulas_of(scalar: str, chart: Chart) -> list[str]:
+    """Return the formulas of a scalar program: for every chart, and for order n."""
+    row = SCALARS[scalar]
+    return [shown(row.every), *([shown(row.of_order, chart.cayley)] if row.of_order and chart.cayley else [])]
+
+
 def formula_of(scalar: str, chart: Chart) -> str:
-    """Return the formula of a scalar program as a comment: for every chart, for order n, and equation numbers."""
-    general, of_order, maps = FORMULAS[scalar]
-    texts = [shown(general), *([shown(of_order, chart.cayley)] if of_order and chart.cayley else [])]
-    equations = dict.fromkeys(number for name in maps for number in getattr(chart, name).equations)
+    """Return the formula of a scalar program as a comment, with equation numbers."""
+    texts = formulas_of(scalar, chart)
+    equations = dict.fromkeys(number for name in SCALARS[scalar].maps for number in getattr(chart, name).equations)
     return comment([*texts[:-1], texts[-1] + (f"; CP23 {cited(equations)}" if equations else "")], "#")
