@@ -16,9 +16,9 @@ from .equation import Entry, Latex, Reading
 from .language.abbreviations import CALL, CALLS, ClaimError, Scope
 from .language.claims import statement
 from .language.environment import Definition, Env, let
+from .language.matrices import unlike
 from .language.operator_table import nonzero
 from .language.printed import Apply, Number, Symbol, Term, Trait, shown_as, symbols, walk, with_trait
-from .language.relations import unlike
 
 READING_KEYS = ("claim", "note", "supported_by")
 

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 from functools import partial
 
-from .lowering import calculus, forward, groups, inverse, kinematics, retraction, shadows
+from .lowering import calculus, forward, groups, inverse, retraction, shadows
 from .lowering.point import Recipe
 from .rows import Array, Function, Table
 
@@ -86,12 +86,12 @@ _ROWS = (
     Function("transform_point", (V, POINT), (POINT.called("moved"),), forward.transform_point),
     Function("transform_line", (V, LINE), (MOVED,), forward.transform_line, rotation=None),
     Function("inverse", (V,), (BACK,), forward.inverse),
-    Function("tangent", (V,), (_tensor("tangent"),), kinematics.tangent, aliases=("dcay",)),
-    Function("tangent_inv", (V,), (_tensor("tangent"),), kinematics.tangent_inv, aliases=("dcay_inv",)),
-    Function("body_tangent", (V,), (_tensor("tangent"),), kinematics.body_tangent),
-    Function("body_tangent_inv", (V,), (_tensor("tangent"),), kinematics.body_tangent_inv),
-    Function("twist", (V, V_DOT), (OMEGA,), kinematics.twist, constants=SPACE),
-    Function("rate", (V, OMEGA), (V_DOT,), kinematics.rate, constants=SPACE_INV),
+    Function("tangent", (V,), (_tensor("tangent"),), calculus.tangent, aliases=("dcay",)),
+    Function("tangent_inv", (V,), (_tensor("tangent"),), calculus.tangent_inv, aliases=("dcay_inv",)),
+    Function("body_tangent", (V,), (_tensor("tangent"),), calculus.body_tangent),
+    Function("body_tangent_inv", (V,), (_tensor("tangent"),), calculus.body_tangent_inv),
+    Function("twist", (V, V_DOT), (OMEGA,), calculus.twist, constants=SPACE),
+    Function("rate", (V, OMEGA), (V_DOT,), calculus.rate, constants=SPACE_INV),
     Function("body_twist", (V, V_DOT), (OMEGA,), None, constants=BODY, shares="twist"),
     Function("body_rate", (V, OMEGA), (V_DOT,), None, constants=BODY_INV, shares="rate"),
     *_both_frames("tangent_dot", (V, V_DOT), _tensor("tangent_dot"), calculus.tangent_dot),

@@ -25,9 +25,9 @@ from .chart import Followed
 from .chart_formulas import Map
 from .elementary import alpha
 from .formula import IsotropicMap, QuaternionMap
-from .noise import NOISE, near_turn
 from .order_charts import BranchesOfOrder, Derivatives, cayley_gain, near_pole, side_of_step
 from .polynomials import FIELD, Triple, rational, x
+from .real_constants import NOISE, near_turn
 
 EQUATIONS = {"quaternion": (50, 55), "tensor": (57,), "tangent": (88,), "tangent_inv": (89,)}
 """Numbers of the general equations of each map in CP23."""

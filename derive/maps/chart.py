@@ -30,9 +30,8 @@ from ..algebra import Coefficient, Quaternion
 from ..algebra.arithmetic import Arithmetic, Marked
 from ..algebra.cayley_pairs import Pair
 from .chart_formulas import ChartFormulas, Scalars
-from .noise import NOISE, NOISE_OF_STEPS, at_turn
 from .polynomials import Triple
-from .real_constants import SMALL, number, plus, times
+from .real_constants import NOISE, NOISE_OF_STEPS, SMALL, at_turn, number, plus, times
 
 
 class Followed(NamedTuple):

@@ -16,8 +16,8 @@ from ..algebra.cayley_pairs import Pair
 from . import polynomials
 from .chart import Chart, Followed
 from .elementary import alpha
-from .noise import NOISE, NOISE_GIVEN
 from .polynomials import Triple
+from .real_constants import NOISE, NOISE_GIVEN
 from .scalars import QuaternionChart
 
 Derivatives: TypeAlias = Triple

@@ -22,8 +22,8 @@ from ..algebra import Coefficient
 from ..algebra.arithmetic import Arithmetic
 from ..algebra.cayley_pairs import Pair
 from .chart import Chart
-from .noise import NOISE, near_turn
 from .polynomials import Triple
+from .real_constants import NOISE, near_turn
 
 
 class scalar:

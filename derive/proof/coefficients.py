@@ -24,8 +24,8 @@ import sympy
 
 from ..algebra.exact import RationalFunctions
 from .identity import Checks, Equation, definition
+from .methods import Method, Theorem
 from .notation import Shifted, j, n, text, x
-from .theorem import Method, Theorem
 
 POLYNOMIALS = RationalFunctions(("n", "j"))
 VALUES = {symbol: POLYNOMIALS.symbol(symbol.name) for symbol in (n, j)}

@@ -13,10 +13,9 @@ from ..maps import polynomials
 from .coefficients import BINOMIAL, Coefficients
 from .evaluation import defined, tangent, tangent_inv, tensor
 from .identity import Equation, Premise, definition
-from .methods import determined, identity
+from .methods import Theorem, determined, identity
 from .notation import *
 from .setting import Symbols
-from .theorem import Theorem
 
 ONE = Equation(n, 1)
 """Index at the start of sequences."""

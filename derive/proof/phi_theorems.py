@@ -18,10 +18,9 @@ import sympy
 
 from .calculus_theorems import rate_jacobian_of, transition
 from .identity import Equation, Proof, definition
-from .methods import identity
+from .methods import Theorem, decided, identity
 from .notation import *
 from .setting import Symbols
-from .theorem import Theorem, decided
 
 SCOPE = "every phi"
 

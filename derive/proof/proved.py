@@ -11,16 +11,15 @@ from itertools import chain
 from ..maps import Cayley
 from ..maps.chart import Chart
 from .at_order import computations, instances
-from .calculus_theorems import CALCULUS_THEOREMS
+from .calculus_theorems import CALCULUS_THEOREMS, GROWING_ORDER
 from .components import Components
 from .displacement_theorems import CLOSED_AT, DISPLACEMENT_THEOREMS, TRANSPORT_THEOREMS
 from .identity import Proof
-from .limit_theorems import GROWING_ORDER
 from .map_theorems import MAP_THEOREMS, POLYNOMIAL_THEOREMS
+from .methods import decided
 from .phi_theorems import ANY_PHI
 from .scalars import ScalarProofs, instance
 from .texts import MARKED, compared, shown_with
-from .theorem import decided
 
 _MADE_HERE = object()
 

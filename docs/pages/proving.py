@@ -18,8 +18,8 @@ from derive.output import facts
 from derive.output.shown import bar
 from derive.proof.displacement_theorems import CLOSED_AT
 from derive.proof.identity import ALL_ORDERS, Proof
+from derive.proof.methods import decided
 from derive.proof.proved import CLAIMS, proofs
-from derive.proof.theorem import decided
 
 from .controls import Control, controls, controls_at, controls_of
 from .theorems import as_json, page

@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from itertools import pairwise
 from typing import Any
 
-from . import operations, operator_table, relations, shapes
+from . import matrices, operations, operator_table, shapes
 from .abbreviations import Abbreviation, ClaimError, Scope, call, latex_of
 from .grammar import Grammar, source
 from .letters import LITERALS, integer
@@ -22,10 +22,10 @@ POWER_MAX = 64
 COUNTED = ("sum", "all")
 """Operations over an integer letter, which is their first argument."""
 RELATIONS: dict[type[ast.cmpop], Any] = {
-    ast.Eq: operator_table.equal, ast.NotEq: relations.unlike, ast.Lt: relations.less, ast.LtE: relations.at_most,
-    ast.Gt: relations.greater, ast.GtE: relations.at_least,
+    ast.Eq: operator_table.equal, ast.NotEq: matrices.unlike, ast.Lt: matrices.less, ast.LtE: matrices.at_most,
+    ast.Gt: matrices.greater, ast.GtE: matrices.at_least,
 }
-JOINS: dict[type[ast.boolop], Any] = {ast.And: operator_table.both, ast.Or: relations.either}
+JOINS: dict[type[ast.boolop], Any] = {ast.And: operator_table.both, ast.Or: matrices.either}
 SUMS: dict[type[ast.operator], str] = {ast.Add: "+", ast.Sub: "-"}
 HINTS = {"^": "a power is **", "@": "a product is *", "lambda": "", "=": "a relation is =="}
 

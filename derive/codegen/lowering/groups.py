@@ -11,10 +11,9 @@ from collections.abc import Sequence
 
 from ...algebra import Tensor, Vector
 from ..programs.program import Number
-from .calculus import matrix6
+from .calculus import matrix6, opposite, tangent, tangent_at, tangent_inv
 from .forward import crossed, flat, rotated, rotation, rows_of, tensor, tensor_at, translation
 from .inverse import compose
-from .kinematics import opposite, tangent, tangent_at, tangent_inv
 from .point import LAYOUTS, TABLE, Geometry, Numbers, Point, Results, dual_tensor
 from .shadows import none_of, returned
 

@@ -8,10 +8,10 @@ rounding, the given vector part stands. Every component of v is NaN if a compone
 from __future__ import annotations
 
 from ...algebra import Quaternion, Vector
-from ...maps.noise import NOISE_GIVEN, near_turn
+from ...maps.real_constants import NOISE_GIVEN, near_turn
 from ..programs.program import Number
+from .calculus import opposite
 from .forward import rotated, rows_of, translation
-from .kinematics import opposite
 from .point import Geometry, Numbers, Point, Results
 
 

@@ -6,14 +6,12 @@ from collections.abc import Sequence
 
 from ...algebra import Quaternion, Vector
 from ...maps.exponential import Exponential, PrincipalScalars, StepScalars
-from ...maps.noise import NOISE_OF_STEPS, at_turn
-from ...maps.real_constants import SMALL
+from ...maps.real_constants import NOISE_OF_STEPS, SMALL, at_turn
 from ..programs.program import Number
-from .calculus import matrix6
+from .calculus import matrix6, opposite, tangent, tangent_at, tangent_inverse_at
 from .forward import tensor_at, translation
 from .groups import dual_product
 from .inverse import composed, displacement, dual_part, dual_part_at, product
-from .kinematics import opposite, tangent, tangent_at, tangent_inverse_at
 from .point import LAYOUTS, Geometry, Point, Results, dual_tensor
 
 EXPONENTIAL = Exponential()

@@ -11,8 +11,7 @@ import sympy
 from ...algebra import Quaternion
 from ...maps.chart import Chart, Followed
 from ...maps.multiple import FURTHER_POWERS, POWERS
-from ...maps.noise import NOISE_OF_ANGLE
-from ...maps.real_constants import number, plus
+from ...maps.real_constants import NOISE_OF_ANGLE, number, plus
 from ..programs.program import Constant, Number, Program
 from ..programs.trace import Trace
 

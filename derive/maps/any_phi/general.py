@@ -25,9 +25,8 @@ from ..angle import Angle
 from ..elementary import Quotient, alpha, elementary
 from ..exponential import AngleChart
 from ..grammar import SYMBOLIC_ONLY, PhiError
-from ..noise import NOISE
 from ..order_charts import Derivatives, half_angle
-from ..real_constants import plus
+from ..real_constants import NOISE, plus
 from ..scalars import DependentScalars, scalar
 from .edges import PHI_DIGITS, Edge, edge_of
 from .first_guess import guess

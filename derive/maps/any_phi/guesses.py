@@ -19,8 +19,7 @@ from ...algebra import Coefficient
 from ...algebra.arithmetic import PLAIN, Arithmetic
 from ..angle import real_value
 from ..elementary import alpha, elementary
-from ..noise import NOISE
-from ..real_constants import Polynomial, plus, times
+from ..real_constants import NOISE, Polynomial, plus, times
 from .intervals import Intervals
 from .phi_values import PhiValues
 

@@ -60,7 +60,7 @@ def test_check_reports_a_stale_file_and_the_command_that_accepts_it(tmp_path: Pa
 def test_accepting_command_repeats_every_option(tmp_path: Path, monkeypatch, options: tuple[str, ...]):
     stale = Difference(tmp_path / "f.py", "stale")
     given = ("generate", "-n", "6", *options, "-o", str(tmp_path / "the user's kernels"))
-    monkeypatch.setattr("derive.codegen.publish.check_charts", lambda *_, **__: [stale])
+    monkeypatch.setattr("derive.codegen.build.check_charts", lambda *_, **__: [stale])
     done = dualcay(*given, "--check")
     assert done.returncode == 1
     assert done.stderr == f"1 file(s) differ; accept with:  {shlex.join(('dualcay', *given))}\n"
@@ -177,10 +177,10 @@ def hook(event, arguments):
 sys.addaudithook(hook)
 from derive.__main__ import main
 from derive.cli import charts
-from derive.codegen import publish
+from derive.codegen import build
 from tests.support.packages import unvalidated
 charts.cores = lambda: 1
-publish.TARGETS = {"numpy": unvalidated(publish.TARGETS["numpy"])}
+build.TARGETS = {"numpy": unvalidated(build.TARGETS["numpy"])}
 sys.exit(main())
 """
 """Program that runs the command and kills it after the notice and one other file are written."""

@@ -303,7 +303,7 @@ def test_every_branch_of_every_function_has_cases(table):
 
 def test_without_compiler_no_compiled_calls_are_reported(monkeypatch, tmp_path):
     monkeypatch.setenv("CC", "no-such-compiler")
-    monkeypatch.setattr("derive.codegen.publish.TARGETS", {"c": Otherwise(unvalidated(C), test=C.test)})
+    monkeypatch.setattr("derive.codegen.build.TARGETS", {"c": Otherwise(unvalidated(C), test=C.test)})
     monkeypatch.setattr("derive.cli.charts.cores", lambda: 1)
     result = CliRunner().invoke(cli, ["generate", "-n", "2", "--target", "c", "-o", str(tmp_path)])
     assert result.exit_code == 0

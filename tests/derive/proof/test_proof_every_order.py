@@ -12,9 +12,9 @@ from derive.proof import citing, evaluation, theorems
 from derive.proof.displacement_theorems import CLOSED_AT, DOUBLE_ANGLE, EXPONENTIAL
 from derive.proof.identity import ALL_ORDERS, Equation, definition
 from derive.proof.map_theorems import BRACKET_SUMS, POWERS, SLOPES, SUMS
+from derive.proof.methods import Theorem, decided
 from derive.proof.notation import I, R, alpha, dcay, dcay_inv, det, n, p, q, skew, u, v, x
 from derive.proof.proved import STATED
-from derive.proof.theorem import Theorem, decided
 from docs.pages.controls import controls
 from tests.support.theorems import known
 
