@@ -29,7 +29,7 @@ ORDER = {
     ),
     "derive.papers.condurache_popa_2023": ("cp23_notation", "definitions", "sections"),
     "derive.codegen": (
-        "programs", "lowering", "rows", "signatures", "lowered", "validation", "package", "targets", "catalogue",
+        "programs", "lowering", "rows", "signatures", "validation", "package", "targets", "catalogue",
         "build",
     ),
 }  # fmt: skip

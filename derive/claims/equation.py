@@ -22,8 +22,8 @@ from dataclasses import dataclass, field
 from typing import Any, TypeAlias
 
 from ..algebra.latex import Typeset
-from .language.abbreviations import Abbreviation, contracted, expanded
 from .language.environment import Definition
+from .language.names import Abbreviation, contracted, expanded
 from .language.printed import Symbol, Term, latex, rate_depth, symbols, text, walk
 
 

@@ -14,9 +14,9 @@ from pathlib import Path
 from typing import Any
 
 from .equation import Entry, Home, Paper, Reading
-from .language.abbreviations import Abbreviation, ClaimError, Scope, expanded
 from .language.claims import statement, tree
 from .language.letters import LITERALS, letter
+from .language.names import Abbreviation, ClaimError, Scope, expanded
 from .language.operations import CONSTANTS, OPERATIONS
 from .language.printed import Symbol, Term
 from .transcript import READING_KEYS, Transcript

@@ -13,10 +13,10 @@ from typing import Any
 from .deciding.claim import operators
 from .deciding.proof import COMPONENTWISE
 from .equation import Entry, Latex, Reading
-from .language.abbreviations import CALL, CALLS, ClaimError, Scope
 from .language.claims import statement
 from .language.environment import Definition, Env, let
 from .language.matrices import unlike
+from .language.names import CALL, CALLS, ClaimError, Scope
 from .language.operator_table import nonzero
 from .language.printed import Apply, Number, Symbol, Term, Trait, shown_as, symbols, walk, with_trait
 

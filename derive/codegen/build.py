@@ -21,9 +21,9 @@ from ..output.shown import Progress, Step, bar, silent
 from ..proof import prove
 from ..workers import mapping, scratch
 from . import catalogue
-from .lowered import Lowered, lower
 from .package import Counts, Facts, Module, Package, module_name, module_texts, notices, shared_texts
 from .rows import inside
+from .signatures import Lowered, lower
 from .targets import TARGETS, Target
 
 GEOMETRY = Cayley(3)

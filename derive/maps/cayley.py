@@ -16,8 +16,7 @@ from typing import Any, ClassVar
 import sympy
 
 from ..algebra import Coefficient, Isotropic, Quaternion
-from ..algebra.arithmetic import Arithmetic
-from ..algebra.cayley_pairs import Pair, require_order
+from ..algebra.arithmetic import Arithmetic, Pair, require_order
 from ..algebra.latex import bracketed, latex
 from . import cayley_scalars, polynomials
 from .cayley_scalars import CHAIN_POWER, HORNER_LIMIT, CayleyScalars

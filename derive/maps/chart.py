@@ -27,8 +27,7 @@ from typing import Any, ClassVar, NamedTuple, cast
 import sympy
 
 from ..algebra import Coefficient, Quaternion
-from ..algebra.arithmetic import Arithmetic, Marked
-from ..algebra.cayley_pairs import Pair
+from ..algebra.arithmetic import Arithmetic, Marked, Pair
 from .chart_formulas import ChartFormulas, Scalars
 from .polynomials import Triple
 from .real_constants import NOISE, NOISE_OF_STEPS, SMALL, at_turn, number, plus, times

@@ -37,8 +37,7 @@ import mpmath
 import sympy
 
 from ..algebra import Coefficient, Quaternion
-from ..algebra.arithmetic import Arithmetic
-from ..algebra.cayley_pairs import Pair
+from ..algebra.arithmetic import Arithmetic, Pair
 from . import order_charts
 from .elementary import alpha
 from .order_charts import Derivatives, half_angle, half_cosine, half_sine, kept_inside

@@ -12,7 +12,7 @@ from typing import Any, TypeAlias
 
 import sympy
 
-from ..algebra.cayley_pairs import require_order
+from ..algebra.arithmetic import require_order
 from .any_phi.edges import edge_of, require_values
 from .any_phi.expressions import expression_of, left_out, multiple_of_known, parity
 from .any_phi.general import General

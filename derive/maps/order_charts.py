@@ -11,8 +11,7 @@ import mpmath
 import sympy
 
 from ..algebra import Coefficient, Quaternion
-from ..algebra.arithmetic import Arithmetic
-from ..algebra.cayley_pairs import Pair
+from ..algebra.arithmetic import Arithmetic, Pair
 from . import polynomials
 from .chart import Chart, Followed
 from .elementary import alpha

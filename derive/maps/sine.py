@@ -31,8 +31,7 @@ from typing import Any
 import sympy
 
 from ..algebra import Coefficient
-from ..algebra.arithmetic import Arithmetic
-from ..algebra.cayley_pairs import Pair
+from ..algebra.arithmetic import Arithmetic, Pair
 from .elementary import alpha
 from .order_charts import Derivatives, OrderChart, double_angle, near_pole
 from .polynomials import RING, RING_X, Triple, horner, ring_pair, x

@@ -18,7 +18,7 @@ import sympy
 
 from .. import about
 from ..codegen import catalogue
-from ..codegen.lowered import lower_chart
+from ..codegen.signatures import lower_chart
 from ..maps import PhiError
 from ..maps.chart import Chart
 from ..maps.elementary import alpha, evaluate

@@ -14,9 +14,8 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Literal, NamedTuple
 
-from ..codegen.lowered import geometry, lower_chart
 from ..codegen.rows import Function
-from ..codegen.signatures import PUBLIC
+from ..codegen.signatures import PUBLIC, geometry, lower_chart
 from ..codegen.targets.python import formulas_of
 from ..maps.chart import Chart
 from ..proof import Proof, theorems

@@ -11,7 +11,7 @@ from pathlib import Path
 
 from .. import about
 from ..output import files
-from ..output.templates import render
+from ..output.pages import render
 from ..workers import SlowError, run, scratch
 from .sheet import sheet
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import sympy
 
-from ..algebra.cayley_pairs import FIRST, double, following, multiply
+from ..algebra.arithmetic import FIRST, double, following, multiply
 from ..maps import polynomials
 from .coefficients import BINOMIAL, Coefficients
 from .evaluation import defined, tangent, tangent_inv, tensor

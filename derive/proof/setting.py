@@ -19,7 +19,7 @@ from typing import Any
 
 import sympy
 
-from ..algebra import Dual, Vector, dual_part, mixed, real_part
+from ..algebra import Dual, Vector, dual_part, real_part, structures
 from ..algebra.element import Element
 from . import notation
 from .evaluation import MEANING, Evaluation, NoValueError, flat, mapped
@@ -121,7 +121,7 @@ class Setting(Evaluation):
                 raise NoValueError(f"no premise defines the power {notation.text(base)}^n")
             known = self._powers[base]
             growing = self.value(known.right ** (multiple / known.left.exp.coeff(notation.n)))
-        return growing if rest == 0 else mixed.multiply(growing, self.value(base**rest))
+        return growing if rest == 0 else structures.multiply(growing, self.value(base**rest))
 
     @property
     def rates(self) -> dict[Any, Any]:

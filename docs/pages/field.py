@@ -16,7 +16,7 @@ from pathlib import Path
 from derive.claims.report.content import example
 from derive.claims.report.forms import differing_sides
 from derive.claims.result import Result, Status
-from derive.output import facts
+from derive.output import pages
 from derive.output.shown import bar
 
 from .field_facts import COLLECTIONS, TRUE, WRONG, Document, Place, anchor, as_json, correction, decided, sheets
@@ -29,7 +29,7 @@ HEAD = """# Formulas in use
 Libraries, theses and flight code are written from formula sheets, manuals and documentation. This page lists {count}
 formulas of such documents, of code, and of reports by readers. Each was entered as printed, at a commit or in a thread,
 and decided by computation in the conventions of its source. Later versions may differ. An entry is cited by its anchor,
-such as `kindr-411`, and [field.json](field.json) holds the same facts for programs. `make verify` writes both;
+such as `kindr-411`, and [field.json](field.json) holds the same pages for programs. `make verify` writes both;
 `dualcay verify` with a [file of claims](reference/claims.md) decides a document of yours.
 """
 
@@ -188,7 +188,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser.add_argument("--check", action="store_true", help="compare the files instead")
     parser.add_argument("--seconds", type=float, default=SECONDS, help="processor time that an equation may take")
     options = parser.parse_args(arguments)
-    if not options.check and not facts.writable(options.output):
+    if not options.check and not pages.writable(options.output):
         return 3
     read, output = sheets(), options.output
     problems = [problem for sheet in read for problem in sheet.problems]
@@ -197,8 +197,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return 2
     with bar(sum(len(sheet.entries()) for sheet in read)) as step:
         library = decided(read, options.seconds, step)
-    texts = facts.beside(output, page(library), as_json(library))
-    return facts.deliver(output, texts, options.check, "docs.pages.field")
+    texts = pages.beside(output, page(library), as_json(library))
+    return pages.deliver(output, texts, options.check, "docs.pages.field")
 
 
 if __name__ == "__main__":

@@ -10,8 +10,8 @@ from unittest import mock
 
 from derive.codegen import catalogue
 from derive.codegen.build import build
-from derive.codegen.lowered import lower_chart, printed_geometry
 from derive.codegen.programs.program import Assignment, Call, Operand, Program, Statement
+from derive.codegen.signatures import lower_chart, printed_geometry
 from derive.codegen.targets import TARGETS, expression
 from derive.maps import Cayley
 from derive.maps.chart import Chart

@@ -17,7 +17,7 @@ from itertools import pairwise
 from typing import Any
 
 from ...algebra.element import Element, NotExactError
-from ...algebra.mixed import MeaninglessError
+from ...algebra.structures import MeaninglessError
 from ..language import operator_table
 from ..language.environment import Env
 from ..language.printed import Term, Trait, latex, with_trait

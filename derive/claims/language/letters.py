@@ -9,11 +9,10 @@ from typing import Any, Protocol
 
 from ..numbers import kinds as rows
 from . import matrices
-from .abbreviations import ClaimError, latex_of
 from .grammar import source
+from .names import POSE, TENSOR, TWIST, VECTOR, ClaimError, Kind, is_number, latex_of, name
 from .operations import CONSTANTS
 from .printed import Number, Symbol, Term
-from .shapes import POSE, TENSOR, TWIST, VECTOR, Kind, is_number, name
 
 LETTERS: dict[str, tuple[str, Kind, str]] = {
     "real": ("real", "number", "real number"),

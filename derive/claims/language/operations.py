@@ -8,8 +8,8 @@ from typing import Any
 
 from . import calculus, matrices, operator_table
 from .calculus import BINDERS
+from .names import POSE, TENSOR, TESTS, TWIST, VECTOR, Kind, KindError, article, is_number, name
 from .printed import Number, Symbol, Term, text
-from .shapes import POSE, TENSOR, TESTS, TWIST, VECTOR, Kind, KindError, article, is_number, name
 
 Gives = Kind | Callable[..., Kind]
 

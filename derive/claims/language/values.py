@@ -11,9 +11,9 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
-from ...algebra import Dual, Quaternion, Structure, Tensor, Vector, matrix, mixed
-from ...algebra.mixed import quaternion as quaternion
+from ...algebra import Dual, Quaternion, Structure, Tensor, Vector, matrix, structures
 from ...algebra.pose import Pose
+from ...algebra.structures import quaternion as quaternion
 from ..numbers.fields import Field
 
 
@@ -79,7 +79,7 @@ def _of_either(f: Callable[[Any, Any], Any]) -> Callable[[Any, Any], Any]:
     return lifted
 
 
-add = _of_either(mixed.add)
+add = _of_either(structures.add)
 """Sum; a number plus a vector is a quaternion."""
 
 
@@ -94,7 +94,7 @@ def multiply(a: Any, b: Any) -> Any:
         return a @ b
     if isinstance(a, Structure) and isinstance(b, Structure) and matrix.Matrix in (type(a), type(b)):
         return matrix.product(a, b)
-    return mixed.multiply(a, b)
+    return structures.multiply(a, b)
 
 
 @_of_either

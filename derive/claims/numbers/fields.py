@@ -12,7 +12,7 @@ from operator import matmul, mul
 from typing import Any
 
 from ...algebra import Dual, Quaternion, Structure, Tensor, Vector, real_part
-from ...algebra.cayley_pairs import pair
+from ...algebra.arithmetic import pair
 from ...algebra.element import Element, NotExactError
 from ...algebra.exact import AngleField
 from ...algebra.functions import Elementary

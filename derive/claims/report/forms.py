@@ -6,9 +6,8 @@ import json
 import re
 from collections.abc import Callable, Iterator
 
-from ...output.facts import json_rows
+from ...output.pages import holes, json_rows, render
 from ...output.shown import WIDTH, Column, Grid
-from ...output.templates import holes, render
 from ..language.operations import written
 from ..language.operator_table import define
 from ..language.printed import ATOM, LIST, POWER, PRODUCT, RELATION, SUM, Term, latex

@@ -10,11 +10,11 @@ from importlib.util import find_spec
 
 import numpy as np
 
-from ..lowered import lower_chart
 from ..lowering.retraction import EXPONENTIAL
 from ..lowering.scalar_programs import SCALARS, SQUARES
 from ..package import Data, Facts
 from ..rows import Table
+from ..signatures import lower_chart
 from ..validation import Library, Machinery, runtime
 from ..validation.slopes import slopes
 from .python import PythonTarget, printed_scalars

@@ -18,12 +18,11 @@ from typing import Any, NamedTuple
 from ... import about
 from ...maps.cayley import EQUATIONS
 from ...maps.chart import Chart
-from ..lowered import ChartPrograms, geometry, printed_geometry
 from ..lowering.scalar_programs import SCALARS, table_names
 from ..package import Data, Facts, Target, cited
 from ..programs.program import Program
 from ..rows import Array, Function, Table, inside
-from ..signatures import POSES, ROTATIONS
+from ..signatures import POSES, ROTATIONS, ChartPrograms, geometry, printed_geometry
 from ..validation import c_text, compiled
 from ..validation.calls import require_calls
 from ..validation.float_cases import FloatCase, cases, composed

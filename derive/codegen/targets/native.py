@@ -16,10 +16,10 @@ from pathlib import Path
 
 from ... import about
 from ...maps.chart import Chart
-from ..lowered import geometry
 from ..package import Data, Facts, fingerprint
 from ..programs.program import Program
 from ..rows import Function, Table, inside
+from ..signatures import geometry
 from ..validation import c_text, compiled
 from . import c99
 from .c import C

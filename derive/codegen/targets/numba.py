@@ -16,10 +16,10 @@ from pathlib import Path
 
 from ...maps.chart import Chart
 from ...output import RefusedError
-from ..lowered import geometry, printed_geometry, shared_with_poses
 from ..package import Data, Facts
 from ..programs.program import Call, Program
 from ..rows import Function, Table
+from ..signatures import geometry, printed_geometry, shared_with_poses
 from ..validation import Library, runtime
 from . import expression
 from .expression import WIDTH, Lists, items

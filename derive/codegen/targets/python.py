@@ -16,13 +16,12 @@ from ...maps.chart import Chart
 from ...maps.chart_formulas import DEFINITIONS
 from ...maps.named import NUMBERED, SINGLE
 from ...proof import shown
-from ..lowered import printed_geometry, shared_with_poses
 from ..lowering.scalar_programs import SCALARS
 from ..package import Data, Facts, Target, cited, comment
 from ..programs.program import Program
 from ..programs.shared import with_helpers
 from ..rows import Function, Table, inside
-from ..signatures import JACOBIAN, POSES, ROTATIONS, SIDES
+from ..signatures import JACOBIAN, POSES, ROTATIONS, SIDES, printed_geometry, shared_with_poses
 from ..validation import NUMPY, Library, Machinery, replay, runtime, validate
 from ..validation.calls import require_calls
 from . import expression

@@ -14,8 +14,7 @@ import mpmath
 import sympy
 
 from ...algebra import Coefficient
-from ...algebra.arithmetic import Arithmetic
-from ...algebra.cayley_pairs import Pair
+from ...algebra.arithmetic import Arithmetic, Pair
 from ..elementary import alpha, elementary
 from ..order_charts import double_angle
 from ..real_constants import is_small, number, plus, times

@@ -10,12 +10,11 @@ from click.testing import CliRunner
 
 from derive.cli.commands import cli
 from derive.codegen import ValidationFailed, check_charts, generate
-from derive.codegen.lowered import geometry, lower_chart
 from derive.codegen.lowering.scalar_programs import SCALARS
 from derive.codegen.package import notices
 from derive.codegen.programs.trace import Trace
 from derive.codegen.rows import inside
-from derive.codegen.signatures import KERNELS, POSES, ROTATIONS
+from derive.codegen.signatures import KERNELS, POSES, ROTATIONS, geometry, lower_chart
 from derive.codegen.targets import TARGETS, c, c99
 from derive.codegen.validation import compiled
 from derive.codegen.validation.float_cases import cases

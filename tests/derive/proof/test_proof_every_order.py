@@ -6,7 +6,7 @@ from typing import Any
 import pytest
 import sympy
 
-from derive.algebra import cayley_pairs
+from derive.algebra import arithmetic
 from derive.maps import Cayley
 from derive.proof import citing, evaluation, theorems
 from derive.proof.displacement_theorems import CLOSED_AT, DOUBLE_ANGLE, EXPONENTIAL
@@ -89,7 +89,7 @@ def test_printed_claim_is_decided() -> None:
 def test_a_wrong_recurrence_fails() -> None:
     def with_recurrence(found: Theorem) -> Theorem:
         wrong = tuple(
-            definition(e.left, p + x * q) if e.right == cayley_pairs.following((p, q), x)[0] else premise
+            definition(e.left, p + x * q) if e.right == arithmetic.following((p, q), x)[0] else premise
             for premise in found.premises
             for e in (premise.equation,)
         )
