@@ -37,7 +37,6 @@ class Polynomials:
         return [(factor, int(power)) for factor, power in a.factor()[1]]
 
     def terms(self, a: Polynomial) -> dict[tuple[int, ...], Fraction]:
-        """Return the mapping from exponents to coefficients."""
         return {tuple(map(int, e)): Fraction(int(c.p), int(c.q)) for e, c in a.to_dict().items()}
 
 

@@ -130,7 +130,6 @@ class Tensor(Structure):
         return self.rows[0][0] + self.rows[1][1] + self.rows[2][2]
 
     def det(self) -> Coefficient:
-        """Return the determinant, the triple product of the rows."""
         first, second, third = (Vector(*row) for row in self.rows)
         return first.dot(second.cross(third))
 

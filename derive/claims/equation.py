@@ -99,7 +99,6 @@ class Entry(Typeset):
         return tuple(symbol for symbol in found if symbol not in self.definitions and symbol.quantity.varies)
 
     def expanded(self, statement: Term) -> Term:
-        """Return a statement with the definitions of its file filled in."""
         return expanded(statement, self.abbreviations)
 
     def contracted(self, statement: Term) -> Term:

@@ -174,7 +174,6 @@ class _Worker:
 
 
 def undecided(slug: str, entry: Entry, reason: str) -> Result:
-    """Return the result of an entry without a decision, with the reason."""
     verdict = Verdict(entry.readings[0].statement, "", False, reason)
     return Result(slug, entry, Status.UNDECIDED, reason, (verdict,))
 

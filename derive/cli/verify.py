@@ -146,6 +146,5 @@ def _root(output: Path | None) -> str:
 
 
 def summary(report: Report) -> str:
-    """Return the number of equations with each status, and the number of proofs, as a text."""
     counts = Counter(str(result.status) for result in report.results)
     return ", ".join(f"{count} {what}" for what, count in (*counts.items(), ("proofs", len(report.proofs))))

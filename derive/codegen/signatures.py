@@ -231,5 +231,4 @@ class Lowered:
 
 
 def lower(proved: Proved) -> Lowered:
-    """Lower a proved chart: trace its formulas as programs."""
     return Lowered(proved, lower_chart(proved.formulas, POSES), lower_chart(proved.formulas, ROTATIONS))

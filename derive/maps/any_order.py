@@ -79,12 +79,10 @@ def q_sum(n: sympy.Expr) -> sympy.Expr:
 
 
 def c_sum(n: sympy.Expr) -> sympy.Expr:
-    """Return the bracket c_n of dcay_n."""
     return power_sum(n * choose(n - 1, k) - (-1) ** k * choose(2 * n, 2 * k + 1) / 2, n - 1, 1)
 
 
 def d_sum(n: sympy.Expr) -> sympy.Expr:
-    """Return the bracket d_n of dcay_n⁻¹."""
     term = choose(n, 2 * k + 1) - choose(n, 2 * k - 1) - n * choose(n, 2 * k)
     return power_sum((-1) ** k * term, (n + 1) / 2, 1)
 
@@ -119,7 +117,6 @@ class AnyOrder(Cayley):
         return tuple(map(factored, tangent)), tuple(map(factored, tangent_inv))
 
     def _isotropic(self, closed_form: Callable[..., Any]) -> IsotropicMap:
-        """Return a map as printed in CP23, in p_n and q_n."""
         n, p, q, norm, name = self.n, self.p, self.q, (1 + x) ** self.n, closed_form.__name__
         f, g, half = 2 * p * q / norm, 2 * q**2 / norm, sympy.Rational(1, 2)
         printed = {

@@ -174,7 +174,6 @@ class _Reader:
         self._symbol, self._places = symbol, {symbol: 0}
 
     def place(self, e: sympy.Expr) -> int:
-        """Return the index of the step that computes an expression."""
         if e not in self._places:
             step = self._step(e)
             self._places[e] = len(self.steps)

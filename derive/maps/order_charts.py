@@ -51,13 +51,11 @@ def beyond(x: Coefficient, table: Sequence[Coefficient], m: Arithmetic) -> tuple
 
 
 def turn(n: int, branch: int) -> tuple[Any, Any]:
-    """Return cosine and sine of kπ/n."""
     step = mpmath.mpf(branch) / n
     return mpmath.cospi(step), mpmath.sinpi(step)
 
 
 def square(phi: sympy.Expr, angle: sympy.Expr) -> Any:
-    """Return φ² of an angle, in the working precision of mpmath."""
     return mpmath.mpf(phi.subs(alpha, angle).evalf(mpmath.mp.dps + 5)) ** 2
 
 

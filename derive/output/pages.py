@@ -99,7 +99,6 @@ def json_rows(**facts: Any) -> str:
 
 
 def beside(output: Path, page: str, facts: str) -> dict[str, str]:
-    """Return the texts of a page and of its facts by file name."""
     return {output.name: page, output.with_suffix(".json").name: facts}
 
 

@@ -158,7 +158,6 @@ def sheet(claimed: Iterable[Theorem] | None = None) -> tuple[Page, ...]:
 
 
 def proved(proof: Proof) -> Proof:
-    """Return the proof; raise `ProofFailed` if it failed."""
     require((proof,))
     return proof
 
@@ -240,6 +239,5 @@ def _map(formula: Formula, proof: Proof) -> Line:
 
 
 def _values(values: Mapping[str, sympy.Expr], proof: Proof) -> Line:
-    """Return one line with several functions of x, by their LaTeX names."""
     shown = (f"{name} = {latex(sympy.factor(value))}" for name, value in values.items())
     return Line(tuple(shown), proved(proof).title)

@@ -231,7 +231,6 @@ def _polynomial(factor: sympy.Expr) -> Any:
 
 
 def _written_out(e: sympy.Expr, rule: sympy.Expr) -> sympy.Expr:
-    """Return an expression with its binomials written out by the rule."""
     binomials = e.atoms(sympy.binomial)
     return e.xreplace({b: rule.xreplace({upper: b.args[0], lower: b.args[1]}) for b in binomials})
 

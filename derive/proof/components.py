@@ -113,7 +113,6 @@ class Components:
         return hamilton(hamilton(self.z, r), _conjugate(self.z))
 
     def power(self, base: Array) -> Array:
-        """Return the n-th power of a quaternion."""
         result = self.identity[0]
         for bit in f"{self.cayley.order:b}":
             result = hamilton(result, result)

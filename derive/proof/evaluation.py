@@ -125,7 +125,6 @@ class Evaluation:
         return value
 
     def differentiated(self, by: Any, value: Any) -> Any:
-        """Return the derivative of a value by the operator `rate` or `prime`."""
         raise NoValueError("no premise gives a derivative")
 
     def power(self, base: sympy.Expr, exponent: sympy.Expr) -> Any:
@@ -133,13 +132,11 @@ class Evaluation:
         raise NoValueError(f"no premise defines {notation.text(base**exponent)}")
 
     def value(self, expression: sympy.Expr) -> Any:
-        """Return the value of an expression: a number, vector, quaternion or tensor."""
         if expression not in self.values:
             self.values[expression] = self._evaluated(expression)
         return self.values[expression]
 
     def sides(self, equation: Equation) -> list[tuple[Any, Any]]:
-        """Return the pairs of left and right components of an equation."""
         left, right = self.value(equation.left), self.value(equation.right)
         if type(left) is not type(right) and (isinstance(left, Structure) or isinstance(right, Structure)):
             left, right = structures.quaternion(left), structures.quaternion(right)
@@ -177,7 +174,6 @@ def flat(value: Any) -> list[Any]:
 
 
 def mapped(function: Callable[[Any], Any], value: Any) -> Any:
-    """Apply a function to a number, or to every component."""
     return cast(Any, value).map(function) if isinstance(value, Structure) else function(value)
 
 

@@ -151,7 +151,6 @@ TURN, RISE = sympy.cos(theta), sympy.sin(theta)
 
 
 def turning(angle: sympy.Symbol) -> tuple[Premise, ...]:
-    """Return the recurrences of cosine and sine of nθ."""
     cosine, sine, turn, rise = sympy.cos(n * angle), sympy.sin(n * angle), sympy.cos(angle), sympy.sin(angle)
     return recurring(n, (cosine, turn, turn * cosine - rise * sine), (sine, rise, rise * cosine + turn * sine))
 

@@ -86,15 +86,12 @@ class Theorem:
         return Premise(equation.replaced(dict(instance)) if instance else equation, self.name, instance)
 
     def given(self) -> tuple[Premise, ...]:
-        """Return all equations of the claim as premises of another theorem."""
         return tuple(self.premise(place) for place in range(len(self.claim)))
 
     def with_claim(self, place: int, equation: Equation) -> Theorem:
-        """Return the theorem with another equation in its claim."""
         return replace(self, claim=(*self.claim[:place], equation, *self.claim[place + 1 :]))
 
     def with_premise(self, place: int, premise: Premise) -> Theorem:
-        """Return the theorem with another premise."""
         return replace(self, premises=(*self.premises[:place], premise, *self.premises[place + 1 :]))
 
 

@@ -61,7 +61,6 @@ EVERY_PHI: Names = {
 
 
 def of_order(n: int) -> Names:
-    """Return the names in texts on a Cayley map."""
     operator, polynomials = rf"\mathrm{{dcay}}_{{{n}}}", {"p": m.p, "q": m.q, "c": m.c, "d": m.d}
     return {
         **BASIS, **OF_X, **polynomials, **{f"{letter}_{{{n}}}": term for letter, term in polynomials.items()},

@@ -181,11 +181,9 @@ class Claim:
         raise BlurredError
 
     def inside(self, place: Place) -> bool:
-        """Return whether a point lies in the stated domain."""
         return self.entry.claimed is None or bool(self.truth(place, self.entry.claimed))
 
     def with_statement(self, statement: Term) -> Claim:
-        """Return another claim about the same letters."""
         return replace(self, statement=statement)
 
 

@@ -108,7 +108,6 @@ class Outcome:
         (self.undefined if truth is None else self.true if truth else self.false).append(place)
 
     def tried(self, claim: Claim, found: Iterable[Place], enough: Callable[[Outcome], bool]) -> Outcome:
-        """Add the truth of a claim at points, until there are enough."""
         for place in found:
             try:
                 self.add(claim.truth(place), place)

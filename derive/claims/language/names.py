@@ -168,7 +168,6 @@ class Scope:
     open: tuple[str, ...] = ()  # abbreviations that are being read
 
     def with_letter(self, name: str, symbol: Symbol, kind: Kind) -> Scope:
-        """Return the scope inside an operation that binds a letter."""
         return Scope({**self.letters, name: (symbol, kind)}, self.abbreviations, self.open)
 
 

@@ -109,7 +109,6 @@ def divide(a: Any, b: Any) -> Any:
 
 
 def dot(a: Any, b: Any) -> Any:
-    """Return the scalar product of two columns, or the product of numbers."""
     if isinstance(a, Vector) and isinstance(b, Vector):
         return a.dot(b)
     return multiply(matrix.transposed(a) if isinstance(a, matrix.Matrix) else a, b)
@@ -159,7 +158,6 @@ def translation(T: Any) -> Any:
 
 
 def pose(R: Any, p: Any, one: int = 1) -> Any:
-    """Return the 4x4 matrix of a rotation and a translation."""
     return matrix.blocks([[R, p], [matrix.shaped([[Fraction(0)] * 3]), Fraction(one)]])
 
 

@@ -31,7 +31,6 @@ class BlurredError(Exception):
 
 @contextmanager
 def precision(bits: int) -> Iterator[None]:
-    """Compute with balls of this many bits."""
     context, before = flint.ctx, flint.ctx.prec
     context.prec = bits
     try:

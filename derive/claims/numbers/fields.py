@@ -41,7 +41,6 @@ class Field(Elementary):
         return a if isinstance(a, Dual) and a == 0 else super().sqrt(a)
 
     def atan(self, a: Any) -> Any:
-        """Return the principal arc tangent."""
         return self.atan2(a, 1)
 
     def absolute(self, a: Any) -> Any:
@@ -158,7 +157,6 @@ class Exact(Field):
 
 
 def innermost(a: Any) -> Any:
-    """Return the innermost real part of a nested dual number."""
     while isinstance(a, Dual):
         a = a.re
     return a

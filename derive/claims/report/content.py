@@ -107,7 +107,6 @@ class Report:
         return tuple(proof for proof in self.proofs if not proof.proved)
 
     def link(self, result: Result) -> str:
-        """Return a link to the module that defines the entry of a result."""
         return f"{self.root}/{result.equation.source}" if self.root else ""
 
 

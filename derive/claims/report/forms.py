@@ -40,7 +40,6 @@ Rows = Iterator[tuple[str, ...]]
 
 
 def as_text(report: Report, width: int = WIDTH) -> str:
-    """Return the report as plain text of at most this width."""
     return "\n".join(grid.text(width) for grid in _grids(report))
 
 
@@ -90,7 +89,6 @@ def _full(result: Result) -> Rows:
 
 
 def table(chapter: Chapter, status: Status) -> Grid:
-    """Return the table of a paper's results with one status."""
     second, third, rows_of = TABLES[status]
     title = f"{chapter.paper.short}, {status}: {MEANING[status]}"
     last = Column(third, ratio=3 if status is Status.ERRATUM else 2)

@@ -48,7 +48,6 @@ class Scalar:
     idle: Callable[..., tuple[Number, ...]] | None = None  # results for charts that never call it, where geometry does
 
     def placeholder(self, name: str) -> Program:
-        """Return the program for charts that never call it."""
         if self.idle is None:
             raise ValueError(f"geometry calls {name}, which the chart lacks")
         trace = Trace()

@@ -104,7 +104,6 @@ class Program:
 
     @property
     def constants(self) -> tuple[int, ...]:
-        """Return the integers that are operands or results."""
         return tuple(sorted({int(operand) for operand in self.operands if not isinstance(operand, str)}))
 
     @property

@@ -89,7 +89,6 @@ def levels(chart: ChartPrograms) -> dict[str, int]:
 
 
 def scalars(chart: ChartPrograms) -> Mapping[str, Program]:
-    """Return the scalars of a chart, and placeholders for the others that geometry names."""
     named = {call.function for program in geometry(chart.table).values() for call in program.calls}
     return {**chart.scalars, **{name: SCALARS[name].placeholder(name) for name in sorted(named - chart.scalars.keys())}}
 
@@ -156,7 +155,6 @@ class C(Target):
         return {**own_geometry(facts, facts.lowered.poses, {}), **found, "order": facts.chart.order}
 
     def companions(self, facts: Facts) -> dict[str, tuple[str, Data]]:
-        """Return the header of the chart for rotations."""
         data = own_geometry(facts, facts.lowered.rotations, scalars(facts.lowered.poses))
         return {inside(ROTATIONS, f"{facts.chart.name}.h"): (inside(ROTATIONS, "chart.h"), data)}
 

@@ -158,7 +158,6 @@ def _statements(
 
 
 def _call_program(call: Call, texts: Texts, arrays: Mapping[str, str], made: Sequence[str]) -> Iterator[str]:
-    """Yield the call of a geometry program; lists of numbers get their own arrays."""
     passed = []
     for index, text in enumerate(texts, 1):
         if isinstance(text, list):

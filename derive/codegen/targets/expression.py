@@ -189,7 +189,6 @@ def renamed(program: Program, names: Mapping[str, str]) -> Program:
 
 
 def wrapped(words: Iterable[str], indent: str) -> list[str]:
-    """Return words as indented lines; no word is broken."""
     text = " ".join(word.replace(" ", "\0") for word in words)
     lines = textwrap.wrap(
         text, WIDTH, initial_indent=indent, subsequent_indent=indent, break_long_words=False, break_on_hyphens=False

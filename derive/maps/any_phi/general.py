@@ -46,7 +46,6 @@ class GeneralScalars(DependentScalars):
         self.is_near = m.name("nearby", m.less(limit.denominator * x, limit.numerator))
 
     def _select(self, near: Coefficient, far: Coefficient) -> Coefficient:
-        """Return `near` below the limit of x, and `far` beyond."""
         return self.m.where(self.is_near, near, far)
 
     # --- below the limit ----------------------------------------------------------------------------------------

@@ -253,7 +253,6 @@ INTERVALS = Intervals()
 
 @contextmanager
 def precise() -> Iterator[Intervals]:
-    """Work in the precision of enclosures."""
     before, flint.ctx.prec = flint.ctx.prec, BITS
     try:
         with mpmath.workprec(BITS + 32):

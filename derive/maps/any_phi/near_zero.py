@@ -206,7 +206,6 @@ def _arcs(at: Intervals, radius: Any) -> Iterator[Any]:
 
 
 def _squares(at: Intervals, radius: Any, parts: int) -> Iterator[Any]:
-    """Yield squares that cover a quarter of the disc."""
     sides = [at.interval(radius * i / parts, radius * (i + 1) / parts) for i in range(parts)]
     for i, j in itertools.product(range(parts), repeat=2):
         if i * i + j * j < parts * parts:

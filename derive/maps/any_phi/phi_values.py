@@ -75,7 +75,6 @@ class PhiValues:
         return FUNCTIONS[e.func](self, e.args[0])
 
     def _constant(self, value: Any) -> Coefficient:
-        """Return a constant, such as π, in the type of the angle."""
         angle = self._known[alpha]
         return times(value, angle - angle + 1, self.m, "", LEVELS)
 

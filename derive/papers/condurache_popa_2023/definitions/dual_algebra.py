@@ -39,7 +39,6 @@ image = plain(lambda T, a: T @ a)
 
 
 def component_of(index: int) -> Callable[..., Any]:
-    """Return the definition of a vector component, counted from 1."""
     return plain(lambda a: tuple(a)[index - 1])
 
 

@@ -114,8 +114,6 @@ def covering(env: Env) -> values.Map:
 
 
 def at_rest(env: Env, a: Any) -> Any:
-    """Return a value with its time derivatives set to 0."""
-
     def still(c: Any) -> Any:
         if not isinstance(c, Dual):
             return c
