@@ -58,11 +58,6 @@ class Stretch:
         """Quotient of the largest and the smallest singular value."""
         return max(self.along, self.across) / min(self.along, self.across)
 
-    @property
-    def worst(self) -> float:
-        """Largest factor between a singular value and 1."""
-        return max(self.along, self.across, 1 / self.along, 1 / self.across)
-
 
 def stretch(phi: sympy.Expr, angle: float) -> Stretch:
     """Return φ and both singular values at an angle ≥ 0."""
