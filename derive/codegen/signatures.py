@@ -12,7 +12,7 @@ from functools import cache, lru_cache, partial
 
 from ..maps.chart import Chart
 from ..proof import Proved
-from .lowering import calculus, forward, groups, inverse, retraction, shadows
+from .lowering import calculus, forward, inverse, retraction, shadows
 from .lowering.point import Recipe
 from .lowering.scalar_programs import scalar_programs
 from .programs.program import Program
@@ -108,7 +108,7 @@ _ROWS = (
     *_both_frames("rate_dot", (V, OMEGA, OMEGA_DOT), V_DDOT, calculus.rate_dot),
     *_both_frames("twist_jacobian", (V, V_DOT), JACOBIAN, calculus.twist_jacobian),
     *_both_frames("rate_jacobian", (V, OMEGA), JACOBIAN, calculus.rate_jacobian),
-    Function("transition", (V, V.called("v0")), (JACOBIAN,), groups.transition, constants=BODY),
+    Function("transition", (V, V.called("v0")), (JACOBIAN,), inverse.transition, constants=BODY),
     Function("body_transition", (V, V.called("v0")), (JACOBIAN,), None, constants=SPACE, shares="transition"),
     Function("cotangent", (V, WRENCH), (MOMENTUM,), None, constants=BODY, shares="twist"),
     Function("body_cotangent", (V, WRENCH), (MOMENTUM,), None, constants=SPACE, shares="twist"),
@@ -133,8 +133,8 @@ _ROWS = (
     _selecting("principal", (V,), (SHADOW,), shadows.principal),
     _selecting("compose", TWO, (V,), inverse.compose),
     _selecting("between", TWO, (V,), inverse.between),
-    _selecting("compose_jacobians", TWO, BY_TWO, groups.compose_jacobians),
-    _selecting("between_jacobians", TWO, BY_TWO, groups.between_jacobians),
+    _selecting("compose_jacobians", TWO, BY_TWO, inverse.compose_jacobians),
+    _selecting("between_jacobians", TWO, BY_TWO, inverse.between_jacobians),
     _by_exponential("retract", (V, DELTA), (MOVED_V,), retraction.retract),
     _by_exponential("body_retract", (V, DELTA), (MOVED_V,), retraction.body_retract),
     _by_exponential("retract_jacobians", (V, DELTA), BY_STEP, retraction.retract_jacobians),
@@ -142,15 +142,15 @@ _ROWS = (
     _by_exponential("local", TWO, (DELTA,), retraction.local),
     _by_exponential("body_local", TWO, (DELTA,), retraction.body_local),
     _by_exponential("interpolate", (*reversed(TWO), SHARE), (V,), retraction.interpolate),
-    Function("adjoint", (V,), (_jacobian("adjoint"),), groups.adjoint),
-    Function("transform_point_jacobians", (V, POINT), (BY_V_OF_POINT, BY_POINT), groups.transform_point_jacobians),
-    Function("transform_line_jacobians", (V, LINE), (BY_V, BY_LINE), groups.transform_line_jacobians, rotation=None),
+    Function("adjoint", (V,), (_jacobian("adjoint"),), inverse.adjoint),
+    Function("transform_point_jacobians", (V, POINT), (BY_V_OF_POINT, BY_POINT), inverse.transform_point_jacobians),
+    Function("transform_line_jacobians", (V, LINE), (BY_V, BY_LINE), inverse.transform_line_jacobians, rotation=None),
     _by_exponential("step_jacobians", (DELTA, *TWO), BY_TWO, retraction.step_jacobians, public=False),
     _by_exponential("local_jacobians", TWO, BY_TWO, retraction.local_jacobians),
     _by_exponential("body_local_jacobians", TWO, BY_TWO, retraction.body_local_jacobians),
 )
 
-_COMPOSED = (_selecting("switch", (V, V_DOT, COVARIANCE), (SHADOW, *SWITCHED), groups.switch),)
+_COMPOSED = (_selecting("switch", (V, V_DOT, COVARIANCE), (SHADOW, *SWITCHED), inverse.switch),)
 
 POSES = Table.of("", _ROWS, _COMPOSED)
 """Functions of a kernel module for poses."""

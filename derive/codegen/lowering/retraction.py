@@ -10,8 +10,7 @@ from ...maps.real_constants import NOISE_OF_STEPS, SMALL, at_turn
 from ..programs.program import Number
 from .calculus import matrix6, opposite, tangent, tangent_at, tangent_inverse_at
 from .forward import tensor_at, translation
-from .groups import dual_product
-from .inverse import composed, displacement, dual_part, dual_part_at, product
+from .inverse import composed, displacement, dual_part, dual_part_at, dual_product, product
 from .point import LAYOUTS, Geometry, Point, Results, dual_tensor
 
 EXPONENTIAL = Exponential()

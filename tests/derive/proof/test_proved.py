@@ -22,7 +22,7 @@ from derive.maps.chart_formulas import DEFINITIONS, IDENTITIES
 from derive.proof import ProofFailed, Proved, proofs, prove, shown, theorems
 from derive.proof.identity import Check, Equation, Multiplier, Premise, Proof, decide, definition
 from derive.proof.notation import n, p, q
-from derive.proof.texts import MARKED, compared, shown_with
+from derive.proof.proved import MARKED, compared, shown_with
 from docs.pages.controls import variants
 
 
