@@ -169,7 +169,7 @@ def resolve(app: Any, env: Any, node: Any, content: Any) -> nodes.Node | None:
 
 
 def context() -> dict[str, Any]:
-    """Return what the pages of generated pages need."""
+    """Return what the templates of generated pages need."""
     return {
         "facts": {f"dualcay.{name}": facts(name) for name in charts()},
         "rotations": functions(rotation),

@@ -29,7 +29,7 @@ HEAD = """# Formulas in use
 Libraries, theses and flight code are written from formula sheets, manuals and documentation. This page lists {count}
 formulas of such documents, of code, and of reports by readers. Each was entered as printed, at a commit or in a thread,
 and decided by computation in the conventions of its source. Later versions may differ. An entry is cited by its anchor,
-such as `kindr-411`, and [field.json](field.json) holds the same pages for programs. `make verify` writes both;
+such as `kindr-411`, and [field.json](field.json) holds the same facts for programs. `make verify` writes both;
 `dualcay verify` with a [file of claims](reference/claims.md) decides a document of yours.
 """
 

@@ -1,4 +1,4 @@
-"""Templates: each receives exactly the names used by it and by the pages it includes."""
+"""Templates: each receives exactly the names used by it and by the templates it includes."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ pytestmark = pytest.mark.smoke
 
 @pytest.fixture
 def write(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Callable[[str, str], object]]:
-    """Provide a function that writes pages into a folder used in place of the project's pages."""
+    """Provide a function that writes templates into a folder used in place of the project's templates."""
     monkeypatch.setattr(pages, "folder", lambda: tmp_path)
     pages.environment.cache_clear()
     pages.holes.cache_clear()
