@@ -268,5 +268,6 @@ class General(AngleChart):
         return r * one, slope * one, bend * one
 
     def lengths(self, angle: Coefficient, square: Coefficient, m: Arithmetic, mark: str) -> PhiValues | Lengths:
+        """Return φ and its derivatives at an angle, given its square."""
         near = self.beside_zero
         return Lengths(near, self.far.edge, angle, square, m, mark) if near else PhiValues(angle, m)
