@@ -19,12 +19,13 @@ from rich.console import Console
 from benchmarks.accuracy.__main__ import progress
 from benchmarks.gates import GATED
 from benchmarks.maps import arguments
+from benchmarks.nearest import searched
 from benchmarks.peers import Poses
 from benchmarks.timing import fix_allocator, measured
 from derive.codegen import catalogue
 from derive.maps.chart import Chart
 from derive.output.files import put
-from derive.pages.comparison import ANGLES, MEASURED, MEASUREMENTS, TIMED, Compared
+from derive.pages.comparison import ANGLES, MEASURED, MEASUREMENTS, NEAREST, TIMED, Compared
 from tests.support import families, oracle
 
 SAMPLES = 6
@@ -72,7 +73,7 @@ def main() -> None:
     """Measure errors and speed of the committed charts."""
     console, charts = Console(), catalogue.committed()
     times = nanoseconds(charts)
-    found: dict[str, Any] = {}
+    found: dict[str, Any] = {NEAREST: searched()}
     with progress(console) as bar:
         row = bar.add_task("charts", total=len(charts))
         for chart in charts:

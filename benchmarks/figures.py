@@ -29,9 +29,8 @@ from benchmarks.accuracy.__main__ import progress
 from benchmarks.style import BLUE, FOLDER, GOLD, GREEN, GREY, ORANGE, PINK, STYLE, WIDTH
 from derive.codegen import catalogue
 from derive.output.files import put, put_picture
-from derive.pages.comparison import Compared
-from derive.pages.stretch import stretch
-from derive.scratch import scratch
+from derive.pages.comparison import Compared, stretch
+from derive.workers import scratch
 from dualcay import cayley2
 from dualcay.rotation import cayley2 as mrp
 from dualcay.rotation import exponential

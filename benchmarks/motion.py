@@ -22,7 +22,7 @@ from benchmarks import timing
 from benchmarks.style import BLUE, FOLDER, GOLD, GREEN, GREY, ORANGE, PINK, STYLE, WIDTH
 from derive.algebra import Vector
 from derive.codegen.programs.trace import Trace
-from derive.codegen.targets import infix
+from derive.codegen.targets import expression
 from derive.motion_equations import MotionEquation, motion_equation
 from derive.output.files import put_picture
 from tests.support import motions
@@ -67,14 +67,14 @@ def straight_line(equation: MotionEquation) -> Callable[[float, np.ndarray], Seq
     half = equation.states // 2
     rate = equation.rate(equation.kind.dual(y[:half], y[half:]), Vector.dual(w[:3], w[3:]), trace)
     known: dict[str, Any] = {}
-    exec(f"def rate(m, y, omega):\n{infix.body(trace.program('rate', [*rate.re, *rate.du]))}", known)
+    exec(f"def rate(m, y, omega):\n{expression.body(trace.program('rate', [*rate.re, *rate.du]))}", known)
     function = known["rate"]
     return lambda t, y: function(FLOATS, y.tolist(), motions.space_twist(t, FLOATS))
 
 
 def runs(equation: MotionEquation, tolerances: Sequence[float] = TOLERANCES, end: float = END) -> list[Run]:
     """Return a run for each tolerance."""
-    rhs, start = straight_line(equation), equation.initial(motions.pose(0))
+    rhs, start = straight_line(equation), motions.start(equation)
 
     def solve(rtol: float) -> Any:
         return solve_ivp(rhs, (0, end), start, "DOP853", rtol=rtol, atol=rtol / 10)
@@ -82,7 +82,7 @@ def runs(equation: MotionEquation, tolerances: Sequence[float] = TOLERANCES, end
     found = [solve(rtol) for rtol in tolerances]
     seconds = timing.medians([lambda rtol=rtol: solve(rtol) for rtol in tolerances], ROUNDS)  # type: ignore[misc]
     return [
-        Run(solved.nfev, 1e3 * taken, float(abs(np.moveaxis(equation.pose(solved.y), -1, 0) - poses).max()))
+        Run(solved.nfev, 1e3 * taken, float(abs(motions.reached(equation, solved.y) - poses).max()))
         for solved, taken in zip(found, seconds, strict=True)
         for poses in [np.stack([motions.pose(t) for t in solved.t])]
     ]

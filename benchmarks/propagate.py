@@ -39,7 +39,7 @@ def twist(t: float) -> list[float]:
 def section(tolerances: tuple[float, ...] = TOLERANCES, end: float = END, rounds: int = ROUNDS) -> str:
     """Measure both at each tolerance, and return the section with its table."""
     equation = motion_equation("75")
-    right_side, start = straight_line(equation), equation.initial(np.eye(4))
+    right_side, start = straight_line(equation), motions.state(equation, np.zeros(6))
     rows = []
     for tolerance in tolerances:
         accuracy = {"rtol": tolerance, "atol": tolerance / 100}
@@ -53,7 +53,8 @@ def section(tolerances: tuple[float, ...] = TOLERANCES, end: float = END, rounds
                 return solve_ivp(right_side, times[[0, -1]], start, "DOP853", t_eval=times, **accuracy)
 
             errors = (
-                np.abs(pose - motions.pose(end)).max() for pose in (ours().pose[-1], equation.pose(bare().y[:, -1]))
+                np.abs(pose - motions.pose(end)).max()
+                for pose in (ours().pose[-1], motions.reached(equation, bare().y[:, -1]))
             )
             mine, theirs = best((ours, bare), rounds)
             figures = [f"{mine:.1f}", f"{theirs:.1f}", f"{mine / theirs:.2f}", *(f"{error:.0e}" for error in errors)]

@@ -34,14 +34,14 @@ if TYPE_CHECKING:
     from .codegen import generate
     from .front import Cayley, Parameterization, family
     from .maps import x
-    from .maps.families import alpha
+    from .maps.elementary import alpha
     from .motion_equations import motion_equation
     from .pages.comparison import compare
     from .pages.explain import explain
     from .papers import verify
 
 _HOMES = dict.fromkeys(("Cayley", "Parameterization", "family"), "front") | {
-    "alpha": "maps.families", "x": "maps", "motion_equation": "motion_equations", "generate": "codegen",
+    "alpha": "maps.elementary", "x": "maps", "motion_equation": "motion_equations", "generate": "codegen",
     "compare": "pages.comparison", "explain": "pages.explain", "check": "claims.run", "verify": "papers",
 }  # fmt: skip
 __all__ = [
@@ -50,7 +50,7 @@ __all__ = [
 ]  # fmt: skip
 
 _OWN = {
-    "__init__.py", "__main__.py", "about.py", "front.py", "motion_equations.py", "scratch.py", "workers.py",
+    "__init__.py", "__main__.py", "about.py", "front.py", "motion_equations.py", "workers.py",
     "algebra", "claims", "cli", "codegen", "maps", "output", "pages", "papers", "proof",
 }  # fmt: skip
 """Modules and packages of this folder. An installed folder may also hold files of another distribution."""

@@ -10,8 +10,7 @@ import sympy
 
 from . import maps
 from .maps.any_order import AnyOrder
-from .output.listing import Listing
-from .output.progress import bar
+from .output.shown import Listing, bar
 from .proof import Proof, proofs, theorems
 
 

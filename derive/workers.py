@@ -1,4 +1,4 @@
-"""Worker processes, which end with the main process, and limits of processor time.
+"""Temporary folders, worker processes that end with the main process, and limits of processor time.
 
 This module loads only the standard library: a worker must be ready to end before it loads other libraries.
 """
@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import multiprocessing
 import os
+import shutil
 import signal
 import subprocess
 import sys
@@ -22,7 +23,49 @@ from multiprocessing.connection import Connection
 from pathlib import Path
 from typing import Any, TypeVar
 
-from .scratch import scratch
+NEW, PREFIX = ".dualcay-new-", ".dualcay-scratch-"
+"""Beginnings of the names of folders, before and after their process has locked them."""
+
+
+@contextmanager
+def scratch() -> Iterator[Path]:
+    """Provide an empty temporary folder; first remove those of processes that were killed.
+
+    Its process locks the folder. The system drops the lock when the process ends, however it ends. Windows has no such
+    lock: there the folder of a killed process stays.
+    """
+    if sys.platform == "win32":
+        with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as name:
+            yield Path(name)
+        return
+    import fcntl
+
+    _sweep()
+    new = Path(tempfile.mkdtemp(prefix=NEW))
+    handle = os.open(new, os.O_RDONLY)
+    with suppress(OSError):  # a file system without locks: nothing there is swept
+        fcntl.flock(handle, fcntl.LOCK_EX)
+    folder = new.rename(new.with_name(new.name.replace(NEW, PREFIX)))
+    try:
+        yield folder
+    finally:
+        shutil.rmtree(folder, ignore_errors=True)
+        os.close(handle)
+
+
+def _sweep() -> None:
+    if sys.platform != "win32":
+        import fcntl
+
+        for folder in Path(tempfile.gettempdir()).glob(f"{PREFIX}*"):
+            with suppress(OSError):  # its process lives, or it is another user's
+                handle = os.open(folder, os.O_RDONLY | os.O_NOFOLLOW)
+                try:
+                    fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
+                    shutil.rmtree(folder)
+                finally:
+                    os.close(handle)
+
 
 PROCESSES_MAX = 61
 """Largest number of processes in a pool on Windows."""

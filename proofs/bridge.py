@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from derive.codegen.signatures import PUBLIC
-from derive.scratch import scratch
+from derive.workers import scratch
 
 from .checker import CLOSED, PROCESSES, Coq, compiled, find
 from .coq_definitions import GEOMETRY

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 from benchmarks.accuracy.measure import Measurement
 from derive.codegen.signatures import POSES, ROTATIONS
-from derive.output.facts import json_rows
+from derive.output.pages import json_rows
 
 # Functions with a separate row and gate for each part; other functions show the larger of their two errors.
 PARTS = {

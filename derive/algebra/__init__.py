@@ -5,8 +5,7 @@ and ``.du``.
 """
 
 from .dual import Coefficient, Dual, Structure, ZeroDivisorError, dual_part, real_part
-from .isotropic import Isotropic
-from .structures import Quaternion, Tensor, Vector
+from .structures import Isotropic, Quaternion, Tensor, Vector
 
 __all__ = [
     "Coefficient", "Dual", "Isotropic", "Quaternion", "Structure", "Tensor", "Vector", "ZeroDivisorError", "dual_part",

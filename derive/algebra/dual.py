@@ -12,8 +12,7 @@ from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from typing import Any, ClassVar, Self, TypeAlias
 
-from ..output.typeset import Typeset
-from .latex import bracketed, latex, matrix
+from .latex import Typeset, bracketed, latex, matrix
 
 Coefficient: TypeAlias = Any
 

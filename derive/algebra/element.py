@@ -1,14 +1,44 @@
-"""Elements of an exact ring: numbers with exact arithmetic and exact tests of equality."""
+"""Polynomials over Q by python-flint, and elements of exact rings, with exact arithmetic and tests of equality."""
 
 from __future__ import annotations
 
 import operator
 from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
-from numbers import Number
+from numbers import Number, Rational
 from typing import Any, TypeVar
 
-from .polynomials import Polynomial
+import flint
+from flint.utils.flint_exceptions import DomainError
+
+Polynomial = Any  # fmpq_mpoly; it has + - * ** % == degrees() gcd() and an exact quotient /
+
+
+class Polynomials:
+    """Polynomials in some generators, in lexicographic order with the greatest generator first."""
+
+    def __init__(self, count: int) -> None:
+        self._context = flint.fmpq_mpoly_ctx.get([f"g{i}" for i in range(count)], flint.Ordering.lex)
+        self.generators = tuple(self._context.gens())
+        self.one, self.zero = self.constant(1), self.constant(0)
+
+    def constant(self, value: Rational | int) -> Polynomial:
+        return self._context.constant(flint.fmpq(int(value.numerator), int(value.denominator)))
+
+    def square_root(self, a: Polynomial) -> Polynomial | None:
+        """Return a polynomial whose square is ``a``, or None."""
+        try:
+            return a.sqrt()
+        except DomainError:
+            return None
+
+    def factors(self, a: Polynomial) -> list[tuple[Polynomial, int]]:
+        """Return the irreducible factors with their exponents, constants left out."""
+        return [(factor, int(power)) for factor, power in a.factor()[1]]
+
+    def terms(self, a: Polynomial) -> dict[tuple[int, ...], Fraction]:
+        return {tuple(map(int, e)): Fraction(int(c.p), int(c.q)) for e, c in a.to_dict().items()}
+
 
 Result = TypeVar("Result")
 

@@ -1,4 +1,4 @@
-"""Motion from first principles: the rotation tensor by its action on vectors, the twist ``vect(Ṙ Rᵀ)``, and rates.
+"""Motion from first principles: exponentials, rotation by its action on vectors, the twist ``vect(Ṙ Rᵀ)``, rates.
 
 No closed form of a tangent operator is used: dual numbers differentiate the given map. Twists are in the space frame
 unless stated otherwise.
@@ -9,8 +9,32 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from . import Coefficient, Dual, Quaternion, Tensor, Vector, dual_part, real_part
+from . import Coefficient, Dual, Quaternion, Tensor, Vector, dual_part, functions, real_part
 from .pose import is_zero
+
+
+def tensor_exponential(a: Vector, library: Any = functions) -> Tensor:
+    """Return exp(skew(a)), a rotation by |a| about a; `library` provides ``sin``, ``cos``, ``sqrt``.
+
+    For Re a = 0 the series terminates: ``skew(a)³ = −|a|² skew(a) = 0``.
+    """
+    square, skew = a.dot(a), Tensor.skew(a)
+    if is_zero(real_part(square)):
+        nilpotent: Tensor = Tensor.identity() + skew + skew @ skew / 2
+        return nilpotent
+    angle = library.sqrt(square)
+    R: Tensor = Tensor.identity() + skew * (library.sin(angle) / angle)
+    R += skew @ skew * ((1 - library.cos(angle)) / square)
+    return R
+
+
+def quaternion_exponential(a: Vector, library: Any = functions) -> Quaternion:
+    """Return exp(a) = cos|a| + sin|a| a/|a| of a pure quaternion; a rotation by 2|a| about a."""
+    square = a.dot(a)
+    if is_zero(real_part(square)):
+        return Quaternion(1 + 0 * square, a)
+    angle = library.sqrt(square)
+    return Quaternion(library.cos(angle), a * (library.sin(angle) / angle))
 
 
 def tensor_by_sandwich(q: Quaternion) -> Tensor:
@@ -65,5 +89,4 @@ def _part(c: Any, part: Callable[[Any], Any]) -> Any:
 
 
 def _twist(R: Tensor) -> Vector:
-    """Return the space twist of a tensor of moving coefficients."""
     return twist(R.map(lambda c: _part(c, real_part)), R.map(lambda c: _part(c, dual_part)))

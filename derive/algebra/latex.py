@@ -1,4 +1,4 @@
-"""LaTeX of coefficients, of matrices, and of combinations of the elements of a basis."""
+"""LaTeX of coefficients, matrices, combinations of the elements of a basis, and results that notebooks show."""
 
 from __future__ import annotations
 
@@ -7,6 +7,22 @@ from fractions import Fraction
 from typing import Any
 
 import sympy
+
+
+class Typeset:
+    """Base class of results that a notebook and ``sympy.latex`` show as a formula."""
+
+    __slots__ = ()
+
+    def _typeset(self) -> str:
+        """Return the formula in LaTeX, without delimiters."""
+        raise NotImplementedError
+
+    def _latex(self, printer: object) -> str:
+        return self._typeset()
+
+    def _repr_latex_(self) -> str:
+        return f"$\\displaystyle {self._typeset()}$"
 
 
 def latex(value: Any) -> str:
@@ -23,7 +39,6 @@ def bracketed(value: Any) -> str:
 
 
 def matrix(entries: Iterable[Any], columns: int) -> str:
-    """Return a matrix with the given entries, row by row."""
     cells = [*map(latex, entries)]
     rows = r" \\ ".join(" & ".join(cells[i : i + columns]) for i in range(0, len(cells), columns))
     return rf"\begin{{bmatrix}} {rows} \end{{bmatrix}}"

@@ -1,4 +1,12 @@
-"""Vectors, second-order tensors and quaternions over any commutative coefficients."""
+"""Vectors, second-order tensors and quaternions over any commutative coefficients, and isotropic tensors.
+
+An isotropic tensor of a vector v is ``a I + b skew(v) + c v⊗v``, with ``x = v · v``. Since ``skew(v)² = v⊗v − x I`` and
+``skew(v) v = 0``, products, transposes and inverses stay isotropic, and commute. Their coefficients are rational in a,
+b, c and x, without v. An identity between them is one between functions of x, for real and dual vectors alike.
+
+In the notation of the papers a number plus a vector is a quaternion, and two adjacent vectors are multiplied as
+quaternions. A tensor left of a vector or a tensor acts on it.
+"""
 
 from __future__ import annotations
 
@@ -8,6 +16,7 @@ from typing import Any, TypeAlias, overload
 
 from . import functions
 from .dual import Coefficient, Dual, Structure
+from .latex import combination
 
 Row: TypeAlias = tuple[Coefficient, Coefficient, Coefficient]
 
@@ -118,11 +127,9 @@ class Tensor(Structure):
         return Vector((t[2][1] - t[1][2]) / 2, (t[0][2] - t[2][0]) / 2, (t[1][0] - t[0][1]) / 2)
 
     def trace(self) -> Coefficient:
-        """Return the trace."""
         return self.rows[0][0] + self.rows[1][1] + self.rows[2][2]
 
     def det(self) -> Coefficient:
-        """Return the determinant, the triple product of the rows."""
         first, second, third = (Vector(*row) for row in self.rows)
         return first.dot(second.cross(third))
 
@@ -173,3 +180,120 @@ class Quaternion(Structure):
     def sandwich(self, v: Vector) -> Vector:
         """Return ``q v q*``, the vector turned by a unit quaternion."""
         return (self * Quaternion(0, v) * self.conjugate()).vector
+
+
+BASIS = ("I", r"\tilde{v}", r"v \otimes v")
+"""Basis of the algebra in LaTeX."""
+
+
+@dataclass(frozen=True, slots=True)
+class Isotropic(Structure):
+    """Tensor ``a I + b skew(v) + c v⊗v`` for any v with ``v · v = x``."""
+
+    a: Coefficient
+    b: Coefficient
+    c: Coefficient
+    x: Coefficient
+
+    @property
+    def coefficients(self) -> tuple[Coefficient, Coefficient, Coefficient]:
+        """Coefficients (a, b, c) of I, skew(v) and v⊗v."""
+        return self.a, self.b, self.c
+
+    @property
+    def transpose(self) -> Isotropic:
+        """Transpose ``a I − b skew(v) + c v⊗v``."""
+        return Isotropic(self.a, -self.b, self.c, self.x)
+
+    @property
+    def axial(self) -> Coefficient:
+        """Eigenvalue along v, ``a + x c``."""
+        return self.a + self.x * self.c
+
+    @property
+    def planar2(self) -> Coefficient:
+        """Squared modulus ``a² + x b²`` of the conjugate pair of eigenvalues across v."""
+        return self.a * self.a + self.x * self.b * self.b
+
+    def det(self) -> Coefficient:
+        """Return the determinant ``(a + x c)(a² + x b²)``."""
+        return self.axial * self.planar2
+
+    def inverse(self) -> Isotropic:
+        """Return the inverse ``(a I − b skew(v) + (b² − a c)/(a + x c) v⊗v) / (a² + x b²)``.
+
+        A singular tensor raises ZeroDivisionError.
+        """
+        planar2 = self.planar2
+        c = (self.b * self.b - self.a * self.c) / (planar2 * self.axial)
+        return Isotropic(self.a / planar2, -self.b / planar2, c, self.x)
+
+    def apply(self, v: Vector, w: Vector) -> Vector:
+        """Return the image ``a w + b v × w + c (v · w) v`` of `w`; the requirement ``v · v = x`` is not checked."""
+        image: Vector = w * self.a + v.cross(w) * self.b + v * (self.c * v.dot(w))
+        return image
+
+    def tensor(self, v: Vector) -> Tensor:
+        """Return the tensor at a vector `v`; ``v · v = x`` is not checked, since it may need simplification."""
+        expanded: Tensor = Tensor.identity() * self.a + Tensor.skew(v) * self.b + Tensor.dyad(v, v) * self.c
+        return expanded
+
+    def __iter__(self) -> Iterator[Coefficient]:
+        return iter(self.coefficients)
+
+    def _typeset(self) -> str:
+        return combination(self, BASIS)
+
+    def _with(self, components: Iterable[Coefficient]) -> Isotropic:
+        a, b, c = components
+        return Isotropic(a, b, c, self.x)
+
+    def _matches(self, other: object) -> bool:
+        if not isinstance(other, Isotropic):
+            return False
+        if self.x != other.x:
+            raise ValueError(f"tensors of different vectors: x = {self.x!r} and x = {other.x!r}")
+        return True
+
+    def __matmul__(self, other: Isotropic) -> Isotropic:
+        """Return the product, which is commutative."""
+        if not self._matches(other):
+            return NotImplemented
+        x = self.x
+        return Isotropic(
+            self.a * other.a - x * (self.b * other.b),
+            self.a * other.b + self.b * other.a,
+            self.a * other.c + self.c * other.a + self.b * other.b + x * (self.c * other.c),
+            x,
+        )
+
+
+class MeaninglessError(TypeError):
+    """Error for an operation that is not defined for its operands."""
+
+
+def quaternion(a: Any) -> Quaternion:
+    """Return a number, vector or quaternion as a quaternion."""
+    if isinstance(a, Quaternion):
+        return a
+    if isinstance(a, Vector):
+        return Quaternion(0, a)
+    if isinstance(a, Structure):
+        raise MeaninglessError(f"a {type(a).__name__.lower()} is no quaternion")
+    return Quaternion(a, Vector(0, 0, 0))
+
+
+def add(a: Any, b: Any) -> Any:
+    """Return the sum; a number plus a vector is a quaternion."""
+    if type(a) is type(b) or not (isinstance(a, Structure) or isinstance(b, Structure)):
+        return a + b
+    return quaternion(a) + quaternion(b)
+
+
+def multiply(a: Any, b: Any) -> Any:
+    """Return the product of two adjacent factors in a formula."""
+    if not (isinstance(a, Structure) and isinstance(b, Structure)):
+        return a * b
+    if isinstance(a, Tensor) and isinstance(b, Tensor | Vector):
+        return a @ b
+    return quaternion(a) * quaternion(b)

@@ -8,10 +8,10 @@ from dataclasses import asdict, dataclass, field
 from enum import StrEnum
 from typing import Any
 
-from ..output.typeset import Typeset
+from ..algebra.latex import Typeset
 from .equation import Entry
+from .language.operations import written
 from .language.printed import Term, latex
-from .language.written import written
 
 
 class Status(StrEnum):

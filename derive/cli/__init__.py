@@ -1,6 +1,6 @@
 """The command line: parse options, call the toolkit, show results.
 
-`commands` imports Click alone. A command loads the module of its own name when it runs.
+`commands` imports Click alone. A command loads its module when it runs.
 """
 
 from .commands import run

@@ -36,23 +36,19 @@ class Commands(click.Group):
 
 
 def orders(text: str) -> Decorator:
-    """Declare the option -n."""
     return click.option("-n", "orders", callback=options.orders, metavar="ORDERS", help=text)
 
 
 def form(choices: tuple[str, ...], text: str) -> Decorator:
-    """Declare the option --format."""
     return click.option("--format", "form", type=click.Choice(choices), default="text", show_default=True, help=text)
 
 
 def families(text: str) -> Decorator:
-    """Declare the option --family."""
     return click.option("--family", "families", callback=options.listed, metavar="NAMES", help=text)
 
 
-def run_module(command: str, given: dict[str, Any]) -> None:
-    """Load the module of a command and run it with the given options."""
-    getattr(importlib.import_module(f"derive.cli.{command}"), command)(**given)
+def run_module(module: str, command: str, given: dict[str, Any]) -> None:
+    getattr(importlib.import_module(f"derive.cli.{module}"), command)(**given)
 
 
 @click.group(cls=Commands, context_settings={"help_option_names": ["-h", "--help"]}, epilog=EPILOG)
@@ -77,7 +73,7 @@ def cli() -> None:
 @options.max_n
 def generate(**given: Any) -> None:
     """Prove formulas and write their kernels, or check the ones on disk."""
-    run_module("generate", given)
+    run_module("charts", "generate", given)
 
 
 @cli.command()
@@ -92,7 +88,7 @@ def generate(**given: Any) -> None:
 @options.max_n
 def show(**given: Any) -> None:
     """Print the formulas of charts, or write the formula sheet."""
-    run_module("show", given)
+    run_module("charts", "show", given)
 
 
 @cli.command()
@@ -104,7 +100,7 @@ def show(**given: Any) -> None:
 @options.max_n
 def compare(**given: Any) -> None:
     """Compare parameterizations by largest angle, stretch and cost."""
-    run_module("compare", given)
+    run_module("charts", "compare", given)
 
 
 @cli.command("list")
@@ -142,7 +138,7 @@ def list_catalogue() -> None:
 @options.max_n
 def verify(**given: Any) -> None:
     """Decide every equation of the papers, of files, or one claim: true, true where, or false and how to mend it."""
-    run_module("verify", given)
+    run_module("verify", "verify", given)
 
 
 def run() -> int:

@@ -59,7 +59,7 @@ def listed(context: click.Context, parameter: click.Parameter, value: str | None
 
 def phi(context: click.Context, parameter: click.Parameter, value: str | None) -> str | None:
     """Return the text of φ, with its syntax checked before SymPy is loaded."""
-    from ..maps.any_phi.grammar import PHI, spelled
+    from ..maps.grammar import PHI, spelled
 
     if value is None:
         return None

@@ -12,17 +12,13 @@ import click
 
 from .. import about
 from ..claims.equation import Paper
-from ..claims.language.abbreviations import ClaimError
+from ..claims.language.names import ClaimError
 from ..claims.report import FORMATS, Report, as_text, data
 from ..claims.result import Status
 from ..claims.run import check_sheets
 from ..claims.sheet import Sheet, SheetError, claim_alone, load
-from ..maps import Cayley
-from ..output import facts, files
-from ..output.tables import columns
-from ..papers import PAPERS
-from ..papers import verify as decide
-from ..proof import citing, proofs, theorems
+from ..output import files, pages
+from ..output.shown import columns
 from . import display, options
 
 WRONG = (Status.ERRATUM, Status.FALSE, Status.UNDECIDED)
@@ -46,18 +42,18 @@ def verify(
         raise click.UsageError(f"{'--check' if check else '--data'} needs the file that -o names")
     if not check:
         options.require_writable(output, output.with_suffix(".json") if output and beside else None)
-    papers, stale = [p for p in PAPERS if paper in (None, p.slug)], []
+    stale = []
     if sheets or claim is not None:
         read = [_loaded(name) for name in sheets] or [_single(claim or "", letters, domain or "")]
         report = _of_sheets(read, _chosen(read, equations) if equations else None, seconds)
     else:
-        report = _report(papers, _chosen(papers, equations), orders, output)
+        report = _of_papers(paper, equations, orders, output)
     text = as_text(report, columns()) if form == "text" and output is None else FORMATS[form](report)
     if output is None:
         click.echo(text, nl=False)
     else:
-        texts = facts.beside(output, text, data(report)) if beside else {output.name: text}
-        stale = facts.stale(output, texts) if check else []
+        texts = pages.beside(output, text, data(report)) if beside else {output.name: text}
+        stale = pages.stale(output, texts) if check else []
     if output is not None and not check:
         files.write(output.parent, texts, force=True)
         click.echo(f"{output}: {summary(report)}", err=True)
@@ -86,7 +82,6 @@ class Unreadable(click.ClickException):
 
 
 def _single(claim: str, letters: Sequence[str], domain: str) -> Sheet:
-    """Return one claim of the command line as a sheet."""
     wrong = next((text for text in letters if not all(part.strip() for part in text.partition("="))), None)
     if wrong is not None:
         raise click.BadParameter(f"expected NAME=KIND such as v=vector, got {wrong!r}", param_hint="--let")
@@ -120,16 +115,22 @@ def _chosen(papers: Sequence[Paper], equations: str | None) -> list[str]:
     return [number for number in known if number in wanted]
 
 
-def _report(papers: Sequence[Paper], equations: list[str], orders: tuple[int, ...], output: Path | None) -> Report:
+def _of_papers(slug: str | None, chosen: str | None, orders: tuple[int, ...], output: Path | None) -> Report:
+    """Return the report on one paper or all; rooms that files of claims do not need are loaded here."""
+    from .. import papers as room
+    from ..maps import Cayley
+    from ..proof import citing, proofs, theorems
+
+    papers = [paper for paper in room.PAPERS if slug in (None, paper.slug)]
+    equations = _chosen(papers, chosen)
     total = sum(entry.number in equations for paper in papers for entry in paper.entries())
     everything = sum(len(paper.entries()) for paper in papers)
-    slug = papers[0].slug if len(papers) == 1 else None
     cited = None
     if total < everything and not orders:  # theorems cite the numbers of the first paper
-        cited = {int(number) for number in equations if number.isdecimal()} if PAPERS[0] in papers else set()
+        cited = {int(number) for number in equations if number.isdecimal()} if room.PAPERS[0] in papers else set()
     with display.progress(total + len(orders)) as step:
         step("equations")
-        results = decide(slug, equations, orders or None, lambda done, _: step("equations"))
+        results = room.verify(slug, equations, orders or None, lambda done, _: step("equations"))
         found = list(theorems() if cited is None else citing(cited))
         for n in orders:
             step(f"proofs at n = {n}")
@@ -145,6 +146,5 @@ def _root(output: Path | None) -> str:
 
 
 def summary(report: Report) -> str:
-    """Return the number of equations with each status, and the number of proofs, as a text."""
     counts = Counter(str(result.status) for result in report.results)
     return ", ".join(f"{count} {what}" for what, count in (*counts.items(), ("proofs", len(report.proofs))))

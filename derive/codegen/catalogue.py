@@ -15,7 +15,7 @@ import sympy
 from .. import about
 from ..maps import Cayley, family, parameterization
 from ..maps.chart import Chart
-from ..maps.families import alpha
+from ..maps.elementary import alpha
 from ..maps.sine import Sine
 from ..output import files, generated
 from .package import command, module_name

@@ -83,17 +83,14 @@ class Function:
 
     @property
     def kernel(self) -> str:
-        """Return the name of the function whose program this function runs."""
         return self.shares or self.name
 
     def aliases_in(self, chart: Chart) -> list[str]:
         """Return its further names in the module of a chart: dcay for Cayley maps, dexp for the exponential."""
-        stem = "dcay" if chart.cayley else "dexp" if chart.name == "exponential" else None
-        return [alias.replace("dcay", stem) for alias in self.aliases] if stem else []
+        return [alias.replace("dcay", chart.operator) for alias in self.aliases] if chart.operator else []
 
     @property
     def source(self) -> str:
-        """Return the name of the corresponding function of poses."""
         return self.pose.name if self.pose else self.name
 
     @property
@@ -155,10 +152,8 @@ class Table:
             raise ValueError(f"{where}: functions of the table that are missing: {missing}; not in it: {extra}")
 
     def aliases(self, chart: Chart) -> dict[str, str]:
-        """Return further names in the module of a chart, each with the name of its function."""
         return {alias: name for name, row in self.public.items() for alias in row.aliases_in(chart)}
 
 
 def inside(table: Table, name: str) -> str:
-    """Return the path of a file in the folder of a table."""
     return f"{table.name}/{name}" if table.name else name

@@ -10,18 +10,17 @@ import importlib
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from .any_phi.parameterization import parameterization
     from .cayley import Cayley
     from .formula import Formula, IsotropicMap, QuaternionMap
-    from .named import family
-    from .phi_error import PhiError
+    from .grammar import PhiError
+    from .named import family, parameterization
     from .polynomials import x
 
 __all__ = ["Cayley", "Formula", "IsotropicMap", "PhiError", "QuaternionMap", "family", "parameterization", "x"]
 
 _HOMES = {
     "Cayley": "cayley", **dict.fromkeys(("Formula", "IsotropicMap", "QuaternionMap"), "formula"), "family": "named",
-    "PhiError": "phi_error", "parameterization": "any_phi.parameterization", "x": "polynomials",
+    "PhiError": "grammar", "parameterization": "named", "x": "polynomials",
 }  # fmt: skip
 
 if not TYPE_CHECKING:

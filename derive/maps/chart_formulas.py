@@ -13,13 +13,11 @@ from sympy.core.traversal import bottom_up
 
 from ..algebra import Coefficient
 from ..algebra.arithmetic import PLAIN, Arithmetic
-from ..algebra.latex import latex
-from ..output.typeset import Typeset
-from .angle_of_length import angle_of
-from .families import alpha, of_angle
+from ..algebra.latex import Typeset, latex
+from .angle import angle_of
+from .elementary import alpha, elementary, of_angle
 from .formula import Formula, IsotropicMap, QuaternionMap
 from .polynomials import x
-from .quotient import elementary
 
 Map = TypeVar("Map", bound=Formula)
 
@@ -64,7 +62,7 @@ class ChartFormulas(Typeset, ABC):
     @property
     @abstractmethod
     def phi(self) -> sympy.Expr:
-        """Odd function φ of `families.alpha`, increasing up to the edge."""
+        """Odd function φ of `elementary.alpha`, increasing up to the edge."""
 
     @property
     @abstractmethod
@@ -203,7 +201,6 @@ class ChartFormulas(Typeset, ABC):
 
     @property
     def _at_zero(self) -> dict[str, tuple[sympy.Expr, ...]]:
-        """Coefficients of the maps at α = 0, by name."""
         tangent, tangent_inv = self.limits
         f, g, _ = tangent
         of_tensors = {"tensor": (sympy.Integer(1), f, g), "tangent": tangent, "tangent_inv": tangent_inv}

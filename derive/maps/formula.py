@@ -10,10 +10,9 @@ import mpmath
 import sympy
 
 from ..algebra import Dual, Isotropic, Quaternion, Structure, Tensor, Vector
-from ..algebra.isotropic import BASIS
-from ..algebra.latex import combination
-from ..output.typeset import Typeset
-from .families import alpha
+from ..algebra.latex import Typeset, combination
+from ..algebra.structures import BASIS
+from .elementary import alpha
 from .polynomials import x
 
 
@@ -137,12 +136,6 @@ class IsotropicMap(Formula):
     __slots__ = ()
 
     basis = BASIS
-
-    @property
-    def isotropic(self) -> Isotropic:
-        """Formula as an element of the algebra {I, skew(v), v⊗v} over the rational functions of x."""
-        a, b, c = self.coefficients
-        return Isotropic(a, b, c, x)
 
     def _at(self, v: Vector, coefficients: tuple[Dual, ...]) -> Tensor:
         a, b, c = coefficients

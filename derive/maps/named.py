@@ -1,20 +1,30 @@
-"""Charts by name."""
+"""Charts by name, and the chart of a user's φ: a named chart, a multiple of a named chart, or a general chart."""
 
 from __future__ import annotations
 
+import keyword
 import re
+import shlex
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 from fractions import Fraction
 from typing import Any, TypeAlias
 
-from ..algebra.cayley_pairs import require_order
-from .breusing import Breusing
+import sympy
+
+from ..algebra.arithmetic import require_order
+from .any_phi.edges import edge_of, require_values
+from .any_phi.expressions import expression_of, left_out, multiple_of_known, parity
+from .any_phi.general import General
+from .any_phi.regular import regular
 from .cayley import Cayley
 from .chart import Chart
+from .elementary import elementary
 from .exponential import Exponential
+from .grammar import PhiError, spelled
 from .multiple import Multiple
-from .sine import Sine
+from .real_constants import is_small
+from .sine import Breusing, Sine
 
 Base: TypeAlias = Cayley | Sine | Breusing | Exponential
 Named: TypeAlias = Base | Multiple
@@ -58,8 +68,6 @@ def family(name: str) -> Chart:
     elif numbered and numbered[1] in NUMBERED:
         found = NUMBERED[numbered[1]](int(numbered[2]))
     elif name in CONSTANT_VOLUME:
-        from .any_phi.parameterization import parameterization  # it imports the charts of this module
-
         found = parameterization(CONSTANT_VOLUME[name], name)
     else:
         names = ", ".join([*SINGLE, *CONSTANT_VOLUME, *(f"{stem}N" for stem in NUMBERED)])
@@ -79,3 +87,41 @@ def described(chart: Chart) -> str:
         case Cayley() | Sine():
             return f"{type(chart).__name__.lower()}{chart.order}"
     return ""
+
+
+def recognized(phi: sympy.Expr) -> Named | None:
+    """Return the known chart of φ, or the multiple of a known chart, by exact comparison; None for another φ."""
+    if phi == Breusing().phi:
+        return Breusing()
+    form = multiple_of_known(phi)
+    if form is None or not is_small(form[0]):
+        return None
+    factor, function, order = form
+    base: Base = Exponential()
+    if function is not None:
+        base = Cayley(order) if function == sympy.tan else sine(order)
+    if factor == 1:
+        return base
+    return Multiple("", base, factor, title=f"{factor} times the vector of {base.name}")
+
+
+def parameterization(phi: str | sympy.Expr, name: str, order: int | None = None) -> Named | General:
+    """Return the chart of φ, an odd function of α: a known chart where φ describes one, else a general chart.
+
+    `order` is the value of n in a text. A refused φ raises `PhiError` with the reason.
+    """
+    phi = spelled(phi) if isinstance(phi, str) else phi
+    expression = regular(expression_of(phi, order))
+    if not (name.isidentifier() and name.isascii() and not keyword.iskeyword(name)):
+        raise PhiError(f"the name of a module is an identifier, got {name!r}")
+    if expression != 0 and parity(expression) != -1:  # edge_of refuses φ = 0 for its slope
+        raise PhiError(f"phi = {expression} is not odd by its structure: write it as a sum of odd terms")
+    with_n = f" -n {order}" if order is not None else ""
+    selection = ("--phi", f"{shlex.quote(phi if isinstance(phi, str) else str(phi))} --name {name}{with_n}")
+    known = recognized(expression)
+    edge = known.edge if known else edge_of(expression).angle
+    for part in left_out(phi, order) if isinstance(phi, str) else ():
+        require_values(part, edge)
+    if known:
+        return replace(known, name=name, selection=selection)
+    return General(name, expression, selection, f"The chart of phi = {elementary(expression)}")

@@ -1,4 +1,8 @@
-"""Charts side by side: how far they reach, how they stretch, what they cost."""
+r"""Charts side by side: how far they reach, how they stretch, what they cost.
+
+The singular value of Re T along the axis is ``1/φ′``. In the plane across the axis Re T is ``f I + g skew(v)``, and the
+singular value is ``2 sin(α/2)/φ``, from ``f² + x g² = 2 g``.
+"""
 
 from __future__ import annotations
 
@@ -9,16 +13,16 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
+import mpmath
 import sympy
 
 from .. import about
 from ..codegen import catalogue
-from ..codegen.lowered import lower_chart
+from ..codegen.signatures import lower_chart
 from ..maps import PhiError
 from ..maps.chart import Chart
-from ..output.listing import Listing
-from ..output.progress import Step, bar
-from .stretch import Stretch, stretch
+from ..maps.elementary import alpha, evaluate
+from ..output.shown import Listing, Step, bar
 
 ANGLES = {"π/2": math.pi / 2, "π": math.pi, "3π/2": 3 * math.pi / 2}
 """Angles at which singular values and errors are shown."""
@@ -29,7 +33,40 @@ TIMED = ("pose", "from_pose")
 """Functions with counted operations, functions with measured errors, and functions with measured times."""
 
 MEASUREMENTS = "docs/parameterizations.json"
-"""File of measurements in a checkout."""
+"""File of measurements in a checkout; the command ``python -m benchmarks.charts`` writes it."""
+
+NEAREST = "nearest to a rotation"
+"""Measurement of the φ that stretches least."""
+
+
+def measurements(name: str) -> Any:
+    """Return what is measured of a chart, or the `NEAREST`; None if nothing is known."""
+    root = about.checkout()
+    return json.loads((root / MEASUREMENTS).read_text(encoding="utf-8")).get(name) if root else None
+
+
+@dataclass(frozen=True)
+class Stretch:
+    """Value of φ and both singular values at an angle: ``1/φ′`` along the axis, ``2 sin(α/2)/φ`` across it."""
+
+    size: float
+    along: float
+    across: float
+
+    @property
+    def condition(self) -> float:
+        """Quotient of the largest and the smallest singular value."""
+        return max(self.along, self.across) / min(self.along, self.across)
+
+
+def stretch(phi: sympy.Expr, angle: float) -> Stretch:
+    """Return φ and both singular values at an angle ≥ 0."""
+    at = mpmath.mpf(angle)
+    slope = float(mpmath.re(evaluate(phi.diff(alpha), alpha, at)))
+    if angle == 0:
+        return Stretch(0.0, 1 / slope, 1 / slope)
+    size = float(mpmath.re(evaluate(phi, alpha, at)))
+    return Stretch(size, 1 / slope, 2 * math.sin(angle / 2) / size)
 
 
 def as_float(value: sympy.Expr) -> float:
@@ -75,12 +112,9 @@ class Compared:
 
     @cached_property
     def measured(self) -> Mapping[str, Any] | None:
-        """Measured ``errors`` by function and angle, and ``nanoseconds`` by function and number of poses, if known.
-
-        The command ``python -m benchmarks.charts`` writes those of the catalogue in a checkout.
-        """
-        root = about.checkout()
-        return json.loads((root / MEASUREMENTS).read_text(encoding="utf-8")).get(self.chart.name) if root else None
+        """Measured ``errors`` by function and angle, and ``nanoseconds`` by function and number of poses, if known."""
+        found: Mapping[str, Any] | None = measurements(self.chart.name)
+        return found
 
     def cells(self) -> dict[str, str]:
         """Return the row in a table of charts."""

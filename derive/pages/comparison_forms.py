@@ -13,9 +13,19 @@ import sympy
 
 from ..output import render
 from ..output.files import put_picture
-from ..output.tables import columns, figures
-from .comparison import ANGLES, COUNTED, MEASURED, TIMED, Compared, number
-from .stretch import POINTS, Stretch, best, bound, stretch
+from ..output.shown import columns, figures
+from .comparison import (
+    ANGLES,
+    COUNTED,
+    MEASURED,
+    NEAREST,
+    TIMED,
+    Compared,
+    Stretch,
+    measurements,
+    number,
+    stretch,
+)  # fmt: skip
 
 PANELS: Mapping[str, tuple[Callable[[Stretch, float], float], tuple[float, float]]] = {
     "|v|/φ′(0)": (lambda found, at_0: found.size * at_0, (0, 8)),
@@ -39,7 +49,6 @@ def measured(compared: Sequence[Compared], what: str) -> Table:
 
 
 def cost(compared: Sequence[Compared]) -> Table:
-    """Return a table of the numbers of operations, by function."""
     return ["chart", *COUNTED], [[row.chart.name, *map(number, row.operations.values())] for row in compared]
 
 
@@ -79,14 +88,15 @@ def _json(compared: Sequence[Compared]) -> str:
 
 
 def _page(compared: Sequence[Compared]) -> str:
+    nearest = measurements(NEAREST) or {"points": 0, "rows": []}
     return render(
         "report/parameterizations.md.j2",
         shape=_table(*_shape(compared)),
         cost=_table(*cost(compared)),
         errors=_table(*measured(compared, "errors")),
         times=_table(*measured(compared, "nanoseconds")),
-        points=POINTS,
-        best=_table(*_best()),
+        points=nearest["points"],
+        best=_table(["A", "among", "--phi", "M"], nearest["rows"]),
     )
 
 
@@ -100,14 +110,6 @@ def _shape(compared: Sequence[Compared]) -> Table:
         singular = (number(float((angle / sympy.pi).evalf(10))) for angle in row.chart.singular_angles)
         rows.append([*cells, ", ".join(singular)])
     return ["chart", "φ", "edge/π", "|v| there", *of_angles, "singular angles/π"], rows
-
-
-def _best() -> Table:
-    rows = []
-    for name, angle in ANGLES.items():
-        rows.append([name, "any (bound)", "", f"{bound(angle):.5f}"])
-        rows += [[name, found.kind, f"`{found.phi}`", f"{found.worst:.5f}"] for found in best(angle)]
-    return ["A", "among", "--phi", "M"], rows
 
 
 def _table(headings: Sequence[str], rows: Sequence[Sequence[str]]) -> str:

@@ -11,9 +11,8 @@ from pathlib import Path
 
 from .. import about
 from ..output import files
-from ..output.templates import render
-from ..scratch import scratch
-from ..workers import SlowError, run
+from ..output.pages import render
+from ..workers import SlowError, run, scratch
 from .sheet import sheet
 
 BROWSERS = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "chrome")
@@ -59,7 +58,6 @@ def pieces(latex: str) -> Iterator[str]:
 
 
 def write_html(output: Path) -> None:
-    """Write the sheet as HTML."""
     files.put(output, page())
 
 

@@ -4,7 +4,6 @@
 condurache_popa_2023   formulas of CP23, one module for each section, and their words in a file
 karakilic_2010.toml    claims of K10, in the same form as the files of users
 field                  documents in use, as files of claims
-package                papers whose formulas stand in the modules of a package
 =====================  ======================================================================
 
 The package of a paper has its own table:
@@ -19,25 +18,58 @@ sections     formulas in printed order; a section may use symbols of earlier sec
 
 from __future__ import annotations
 
+import importlib
+import tomllib
 import warnings
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from contextlib import nullcontext
+from dataclasses import dataclass, field, replace
 from pathlib import Path
+from typing import Any
 
 from .. import about
 from ..claims.decide import decide
 from ..claims.deciding.claim import ORDERS
-from ..claims.equation import Entry, Paper
+from ..claims.equation import Entry, Home, Paper
 from ..claims.result import Result
 from ..claims.run import SECONDS, check_sheets
 from ..claims.sheet import load, sheet
-from ..output.listing import Listing
-from ..output.progress import bar, no_op
-from .package import Package
+from ..output.shown import Listing, bar, no_op
+
+
+@dataclass(frozen=True)
+class Package(Paper):
+    """Paper of a package: `words` has the fields of its entries by number."""
+
+    name: str = ""
+    home: Home | None = None
+    words: Mapping[str, Mapping[str, Any]] = field(default_factory=dict, repr=False)
+
+    @staticmethod
+    def read(name: str, home: Home) -> Package:
+        """Return the paper of a package; `home` finds its entries again."""
+        data = tomllib.loads((Path(__file__).parent / name / "text.toml").read_text(encoding="utf-8"))
+        words = {row["number"]: row for row in data["equation"]}
+        claims = {int(line): numbers for line, numbers in data["claims"].items()}
+        return Package(**data["paper"], claims=claims, reasons=data["reasons"], name=name, home=home, words=words)
+
+    @property
+    def sections(self) -> tuple[str, ...]:
+        """Modules in ``sections`` that define ``ENTRIES``, in the paper's order."""
+        return tuple(sorted(path.stem for path in (Path(__file__).parent / self.name / "sections").glob("s[0-9]*.py")))
+
+    def entries(self) -> tuple[Entry, ...]:
+        """Return all entries in the paper's order, each with its words and the path of its module."""
+        found: list[Entry] = []
+        for section in self.sections:
+            module = f"{__package__}.{self.name}.sections.{section}"
+            source = f"{module.replace('.', '/')}.py"
+            entries = importlib.import_module(module).ENTRIES
+            found += [replace(e, source=source, home=self.home, **self.words[e.number]) for e in entries]
+        return tuple(found)
 
 
 def registered(slug: str) -> Paper:
-    """Return a paper of this folder: a file of claims, or a package."""
     name = slug.replace("-", "_")
     file = Path(__file__).parent / f"{name}.toml"
     if not file.exists():

@@ -1,6 +1,6 @@
 """Exact proofs of identities, for every order n at once and, independently, at each requested order.
 
-Read `notation`, `statement`, `theorem`, `methods`, then the modules of theorems. `proved` collects all proofs.
+Read `notation`, `identity`, `methods`, then the modules of theorems. `proved` collects all proofs.
 """
 
 from __future__ import annotations
@@ -8,8 +8,8 @@ from __future__ import annotations
 from ..algebra.element import Element
 from .identity import Proof, decide
 from .proved import ProofFailed, Proved, citing, proofs, prove, shown, theorems
+from .rings import Ring
 from .scalars import root_of
-from .vector_ring import Ring
 
 __all__ = [
     "Element", "Proof", "ProofFailed", "Proved", "Ring", "citing", "decide", "proofs", "prove", "root_of", "shown",

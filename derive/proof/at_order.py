@@ -13,14 +13,12 @@ from typing import Any
 
 import sympy
 
-from ..algebra import cayley_pairs
-from ..maps import Cayley, any_order, closed_forms, polynomials
-from .evaluation import NoValueError
-from .formulas import tangent, tangent_inv, tensor
-from .identity import Checks, Proof, decide
+from ..algebra import arithmetic
+from ..maps import Cayley, any_order, cayley_scalars, polynomials
+from .evaluation import NoValueError, tangent, tangent_inv, tensor
+from .identity import Checks, Equation, Proof, decide
 from .notation import R, Shifted, c, d, dcay, dcay_inv, n, p, q, q_hat, text, x
-from .statement import Equation
-from .vector_ring import Ring
+from .rings import Ring
 
 METHOD = "instance of the theorem for all n, residues in Q(x), for the quaternion in Q(sqrt(1 + x))"
 Function = Callable[..., Any]
@@ -37,10 +35,10 @@ PAIRS = {"multiply": "pq", "pair_by_squaring": "pq", "brackets": "cd"}
 FORMS = ("quaternion", "tensor", "tangent", "tangent_inv")
 FUNCTIONS: Mapping[str, Function] = {
     **{name: getattr(any_order, name) for name in SUMS},
-    "multiply": cayley_pairs.multiply,
-    "pair_by_squaring": cayley_pairs.pair_by_squaring,
+    "multiply": arithmetic.multiply,
+    "pair_by_squaring": arithmetic.pair_by_squaring,
     "brackets": polynomials.brackets,
-    **{name: getattr(closed_forms, name) for name in FORMS},
+    **{name: getattr(cayley_scalars, name) for name in FORMS},
     "singular_angles": polynomials.singular_angles,
     "poles": polynomials.poles,
 }
@@ -54,7 +52,7 @@ class AtOrder:
         self.order = order
         self.ring = Ring(root=1)
         self.x, root = self.ring.x, self.ring.generator**order
-        p_n, q_n = map(self.ring.element, cayley_pairs.pair(order, self.x))
+        p_n, q_n = map(self.ring.element, arithmetic.pair(order, self.x))
         power = (1 + self.x) ** order
         tensors = {R: tensor, dcay: tangent, dcay_inv: tangent_inv}
         self.values: Mapping[sympy.Expr, tuple[Any, ...]] = {
@@ -112,7 +110,7 @@ def instances(cayley: Cayley) -> tuple[Proof, ...]:
 def computations(order: int, functions: Mapping[str, Function] = FUNCTIONS) -> tuple[Proof, ...]:
     """Prove that functions (sums, pairs, closed forms, singular angles) agree with the theorems at an order."""
     at = at_order(order)
-    halves = [cayley_pairs.pair(k, at.x) if k else (1, 0) for k in (order // 2, order - order // 2)]
+    halves = [arithmetic.pair(k, at.x) if k else (1, 0) for k in (order // 2, order - order // 2)]
     arguments = {"multiply": (*halves, at.x), **dict.fromkeys(SUMS, (sympy.Integer(order),))}
 
     def computed(name: str, place: int = 0) -> tuple[Any, ...]:
@@ -127,13 +125,12 @@ def computations(order: int, functions: Mapping[str, Function] = FUNCTIONS) -> t
     return (
         same_as_theorem(at, {f"any_order.{a}({order})": (SYMBOLS[a[0]], partial(computed, a)) for a in SUMS}),
         same_as_theorem(at, pairs),
-        *(same_as_theorem(at, {f"closed_forms.{a}({order}, x)": (SYMBOLS[a], partial(computed, a))}) for a in FORMS),
+        *(same_as_theorem(at, {f"cayley_scalars.{a}({order}, x)": (SYMBOLS[a], partial(computed, a))}) for a in FORMS),
         _singular_angles(at, functions),
     )
 
 
 def _coefficients(found: Any) -> tuple[Any, ...]:
-    """Return the coefficients of a quaternion, tensor or operator; a polynomial counts as one coefficient."""
     return found if isinstance(found, tuple) else tuple(getattr(found, "coefficients", (found,)))
 
 

@@ -1,4 +1,7 @@
-"""Evaluation of sums, products, powers and operators, given the values of the symbols in them."""
+"""Values of statements: formulas and operators in them, from values of the symbols, and at one rational point.
+
+The evaluation at a point is not a proof. It guards against a printed statement that differs from what is decided.
+"""
 
 from __future__ import annotations
 
@@ -10,11 +13,82 @@ from typing import Any, cast
 
 import sympy
 
-from ..algebra import Dual, Structure, Tensor, dual_part, mixed, real_part
+from ..algebra import (
+    Coefficient,
+    Dual,
+    Isotropic,
+    Quaternion,
+    Structure,
+    Tensor,
+    Vector,
+    arithmetic,
+    dual_part,
+    functions,
+    real_part,
+    structures,
+)
 from ..algebra.first_principles import tensor_by_sandwich
-from ..maps.rodrigues import compose_first_order, compose_second_order
 from . import notation
-from .statement import Equation
+from . import notation as m
+from .identity import Checks, Equation, Premise, definition
+
+
+def compose_first_order(b2: Vector, b1: Vector) -> Vector:
+    """Return ``(b1 + b2 + b2 × b1)/(1 − b1 · b2)``, composition at n = 1, CP23 (45): b1 acts first.
+
+    A composed rotation by π, which n = 1 cannot represent, raises ZeroDivisorError.
+    """
+    composed: Vector = (b1 + b2 + b2.cross(b1)) / (1 - b1.dot(b2))
+    return composed
+
+
+def compose_second_order(s2: Vector, s1: Vector) -> Vector:
+    r"""Return the composition at n = 2, CP23 (41): s1 acts first, and the sign of the product quaternion is kept.
+
+    .. math::
+        \sigma = \frac{(1 - \sigma_2^2)\,\sigma_1 + (1 - \sigma_1^2)\,\sigma_2 + 2\,\sigma_2 \times \sigma_1}
+            {(1 - \sigma_2 \cdot \sigma_1)^2 + (\sigma_2 \times \sigma_1)^2}
+
+    The result is the principal v where the product has real scalar part ≥ 0, and its shadow elsewhere. A product −1,
+    where the shadow is v = 0, raises ZeroDivisorError.
+    """
+    cross, dot = s2.cross(s1), s2.dot(s1)
+    numerator = s1 * (1 - s2.dot(s2)) + s2 * (1 - s1.dot(s1)) + cross * 2
+    composed: Vector = numerator / ((1 - dot) ** 2 + cross.dot(cross))
+    return composed
+
+
+Triple = tuple[Coefficient, Coefficient, Coefficient]
+CoefficientsOfOrder = Callable[[Any, Any, Any, Any], Triple]
+SYMBOLS = (notation.n, notation.x, notation.p, notation.q)
+
+
+def tensor(n: Coefficient, x: Coefficient, p: Coefficient, q: Coefficient) -> Triple:
+    """Return the coefficients of I, skew(v), v⊗v in R, CP23 (57) with skew(v)² = v⊗v − x I."""
+    power = p * p + x * q * q
+    return 1 - 2 * x * q * q / power, 2 * p * q / power, 2 * q * q / power
+
+
+def tangent(n: Coefficient, x: Coefficient, p: Coefficient, q: Coefficient) -> Triple:
+    """Return the coefficients of I, skew(v), v⊗v in dcay, CP23 (88)."""
+    power = p * p + x * q * q
+    bracket = (n * power / (1 + x) - p * q) / x
+    return 2 * p * q / power, 2 * q * q / power, 2 * bracket / power
+
+
+def tangent_inv(n: Coefficient, x: Coefficient, p: Coefficient, q: Coefficient) -> Triple:
+    """Return the coefficients of I, skew(v), v⊗v in the inverse of dcay, CP23 (89)."""
+    bracket = ((1 + x) * q - n * p) / x
+    return p / (2 * q), (x - x - 1) / 2, bracket / (2 * n * q)
+
+
+def defined(
+    symbol: Any, formula: CoefficientsOfOrder, at: Any = SYMBOLS, v: Any = notation.v, numbers: tuple[int, ...] = ()
+) -> Premise:
+    """Return the definition of a symbol by a formula at (n, x, p_n, q_n), ``a I + b skew(v) + c v⊗v``."""
+    a, b, c = formula(*at)
+    rest = b * notation.skew(v) + c * notation.dyad(v, v)
+    return definition(symbol, a * notation.I + rest, numbers, wrong=2 * a * notation.I + rest)
 
 
 class NoValueError(ArithmeticError):
@@ -23,19 +97,19 @@ class NoValueError(ArithmeticError):
 
 MEANING: Mapping[Any, Callable[..., Any]] = {
     notation.transpose: lambda a: a.transpose,
-    notation.conjugate: lambda a: mixed.quaternion(a).conjugate(),
+    notation.conjugate: lambda a: structures.quaternion(a).conjugate(),
     notation.skew: Tensor.skew,
     notation.vect: lambda a: a.vect(),
     notation.cross: lambda a, b: a.cross(b),
     notation.dyad: Tensor.dyad,
-    notation.sandwich: lambda a: tensor_by_sandwich(mixed.quaternion(a)),
+    notation.sandwich: lambda a: tensor_by_sandwich(structures.quaternion(a)),
     notation.first_order: compose_first_order,
     notation.second_order: compose_second_order,
     notation.real: lambda a: a.map(real_part),
     notation.dual: lambda a: a.map(dual_part),
     notation.det: lambda a: a.det(),
     notation.dot: lambda a, b: a.dot(b),
-    notation.norm2: lambda a: mixed.quaternion(a).norm2(),
+    notation.norm2: lambda a: structures.quaternion(a).norm2(),
 }
 """Functions on values of the algebra, by their operator in statements."""
 
@@ -48,11 +122,9 @@ class Evaluation:
         self.definitions: dict[sympy.Expr, sympy.Expr] = {}  # of further symbols and terms
 
     def number(self, value: Fraction) -> Any:
-        """Return a rational number as a value."""
         return value
 
     def differentiated(self, by: Any, value: Any) -> Any:
-        """Return the derivative of a value by the operator `rate` or `prime`."""
         raise NoValueError("no premise gives a derivative")
 
     def power(self, base: sympy.Expr, exponent: sympy.Expr) -> Any:
@@ -60,16 +132,14 @@ class Evaluation:
         raise NoValueError(f"no premise defines {notation.text(base**exponent)}")
 
     def value(self, expression: sympy.Expr) -> Any:
-        """Return the value of an expression: a number, vector, quaternion or tensor."""
         if expression not in self.values:
             self.values[expression] = self._evaluated(expression)
         return self.values[expression]
 
     def sides(self, equation: Equation) -> list[tuple[Any, Any]]:
-        """Return the pairs of left and right components of an equation."""
         left, right = self.value(equation.left), self.value(equation.right)
         if type(left) is not type(right) and (isinstance(left, Structure) or isinstance(right, Structure)):
-            left, right = mixed.quaternion(left), mixed.quaternion(right)
+            left, right = structures.quaternion(left), structures.quaternion(right)
         return list(zip(flat(left), flat(right), strict=True))
 
     def _evaluated(self, e: sympy.Expr) -> Any:
@@ -78,11 +148,11 @@ class Evaluation:
         if e.is_Rational:
             return self.number(Fraction(int(e.p), int(e.q)))
         if e.is_Add:
-            return reduce(mixed.add, map(self.value, e.args))
+            return reduce(structures.add, map(self.value, e.args))
         if e.is_Mul:
             numbers, others = e.args_cnc()
             parts = filter(None, (others, numbers))
-            return reduce(operator.mul, (reduce(mixed.multiply, map(self.value, part)) for part in parts))
+            return reduce(operator.mul, (reduce(structures.multiply, map(self.value, part)) for part in parts))
         if e.is_Pow:
             return self._integer_power(self.value(e.base), int(e.exp)) if e.exp.is_Integer else self.power(*e.args)
         if e.func in (notation.rate, notation.prime):
@@ -95,15 +165,49 @@ class Evaluation:
     def _integer_power(value: Any, exponent: int) -> Any:
         if not isinstance(value, Structure):
             return value**exponent
-        power: Any = reduce(mixed.multiply, [value] * abs(exponent))
+        power: Any = reduce(structures.multiply, [value] * abs(exponent))
         return power if exponent > 0 else power.inverse()
 
 
 def flat(value: Any) -> list[Any]:
-    """Return the components of a value."""
     return [value] if not isinstance(value, Structure) else list(cast(Iterable[Any], value))
 
 
 def mapped(function: Callable[[Any], Any], value: Any) -> Any:
-    """Apply a function to a number, or to every component."""
     return cast(Any, value).map(function) if isinstance(value, Structure) else function(value)
+
+
+PLACE, SPEED, OTHER = (2, -4, 10), (3, 5, -1), (1, -2, 3)
+"""Values of v, of its rate and of a point. Since 1 + 2² + 4² + 10² = 11², sqrt(1 + x) is rational."""
+
+
+class AtPoint(Evaluation):
+    """Values of the symbols at order n and a moving v = (2, −4, 10). Dual parts are time derivatives."""
+
+    def __init__(self, n: int) -> None:
+        self.n = n
+        v = Vector.dual(map(sympy.Integer, PLACE), map(sympy.Integer, SPEED))
+        x = v.dot(v)
+        p, q = (Dual(sympy.Integer(1)) * value for value in arithmetic.pair_by_squaring(n, x))
+        root = functions.sqrt(1 + x)
+        tensors = {m.R: tensor, m.dcay: tangent, m.dcay_inv: tangent_inv}
+        values = {symbol: Isotropic(*formula(n, x, p, q), x).tensor(v) for symbol, formula in tensors.items()}
+        rates, z = v.map(dual_part), Quaternion(p, v * q)
+        known = {m.x: x, m.p: p, m.q: q, m.v: v, m.v_dot: rates, m.omega: values[m.dcay].map(real_part) @ rates}
+        known |= {m.point: Vector(*map(sympy.Integer, OTHER)), m.z: z, m.q_hat: z * (1 / root**n)}
+        super().__init__(known | values)
+
+    def number(self, value: Fraction) -> sympy.Rational:
+        return sympy.Rational(value)  # SymPy's numbers have exact roots
+
+    def differentiated(self, operator: Any, value: Any) -> Any:
+        return mapped(dual_part, value)
+
+    def power(self, base: sympy.Expr, exponent: sympy.Expr) -> Any:
+        return functions.sqrt(self.value(base)) ** int(2 * exponent)
+
+    def checks(self, equation: Equation) -> Checks:
+        """Yield left side minus right side at the point, component by component."""
+        at_order = equation.replaced({m.n: sympy.Integer(self.n)})
+        for place, (left, right) in enumerate(self.sides(at_order), 1):
+            yield f"{equation.text} at v = {PLACE}, component {place}", real_part(left) - real_part(right)

@@ -17,12 +17,10 @@ from functools import cache
 import sympy
 
 from .calculus_theorems import rate_jacobian_of, transition
-from .identity import Proof
-from .methods import identity
+from .identity import Equation, Proof, definition
+from .methods import Theorem, decided, identity
 from .notation import *
 from .setting import Symbols
-from .statement import Equation, definition
-from .theorem import Theorem, decided
 
 SCOPE = "every phi"
 

@@ -21,20 +21,17 @@ from typing import Any
 import sympy
 from sympy.functions.elementary.trigonometric import TrigonometricFunction
 
-from ..algebra.angles import AngleField
 from ..algebra.arithmetic import PLAIN
-from ..algebra.element import Element
-from ..algebra.polynomials import Polynomial
+from ..algebra.element import Element, Polynomial
+from ..algebra.exact import AngleField
 from ..maps.chart import Chart
-from ..maps.elementary import evaluate
-from ..maps.families import alpha
+from ..maps.elementary import alpha, evaluate
 from ..maps.polynomials import x
 from .evaluation import Evaluation
-from .identity import Checks, Proof, decide
+from .identity import Checks, Equation, Proof, decide
 from .notation import Shifted, det, prime
 from .phi_theorems import PHI, SCALARS, T, any_phi, cosine, sine
-from .statement import Equation
-from .vector_ring import Ring
+from .rings import Ring
 
 METHOD = "residues in Q(x), with the root of 1 + x/k where formulas have it"
 BY_ANGLE = "residues in Q(tan(alpha/2M)), M such that phi is made of sines and cosines of multiples of alpha/M"
@@ -124,7 +121,6 @@ class ScalarProofs:
         return values | {a: size_s, b: size_w, x: at_x}
 
     def proofs(self) -> Iterator[Proof]:
-        """Decide the statements one after the other."""
         statements = {
             "scalars as lowered": STATED, "scalars": RELATIONS, "slopes": DERIVATIVES,
             "second slopes": SECOND_DERIVATIVES,

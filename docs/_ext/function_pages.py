@@ -14,7 +14,7 @@ from derive.codegen.signatures import POSES
 from derive.codegen.targets import TARGETS
 from derive.codegen.targets.python import PythonTarget
 from derive.pages import sheet
-from derive.pages.coverage import COVERAGE
+from derive.pages.explain import COVERAGE
 from derive.proof import theorems
 from derive.proof.identity import Proof
 from dualcay import cayley2

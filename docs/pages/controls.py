@@ -18,12 +18,13 @@ from derive.algebra import Isotropic
 from derive.algebra.arithmetic import Arithmetic
 from derive.maps import Cayley
 from derive.maps.chart import Chart
-from derive.maps.families import alpha
+from derive.maps.elementary import alpha
 from derive.proof.at_order import FUNCTIONS, Function, computations, instances
 from derive.proof.components import STATEMENTS, Components, hamilton
-from derive.proof.identity import NO_VALUE, Proof
+from derive.proof.identity import NO_VALUE, Equation, Proof
+from derive.proof.methods import Theorem
+from derive.proof.notation import Shifted
 from derive.proof.scalars import BENDS, SLOPES, VALUES, ScalarProofs
-from derive.proof.theorem import Theorem
 
 
 @dataclass(frozen=True)
@@ -55,13 +56,34 @@ def controls(claimed: Iterable[Theorem], known: Mapping[str, Proof]) -> Iterator
 
 def _altered_theorems(theorem: Theorem) -> Iterator[tuple[str, Theorem]]:
     for place, equation in enumerate(theorem.claim):
-        for variant in equation.variants(theorem.method.sides):
+        for variant in variants(equation, theorem.method.sides):
             yield f"claim {variant.text} in place of {equation.text}", theorem.with_claim(place, variant)
     for place, premise in enumerate(theorem.premises):
         altered = replace(premise.altered(), theorem="")
         yield f"premise {altered.equation.text} in place of {premise}", theorem.with_premise(place, altered)
     for hypothesis, method in theorem.method.weaker():
         yield hypothesis, replace(theorem, method=method)
+
+
+def variants(equation: Equation, sides: Iterable[str] = ("left", "right")) -> Iterator[Equation]:
+    """Yield the altered equation, and copies with one integer of these sides increased by one."""
+    yield equation.altered()
+    for side in sides:
+        changed = (e for e in _increased(getattr(equation, side)) if e != getattr(equation, side))
+        yield from (replace(equation, numbers=(), **{side: e}) for e in changed)
+
+
+def _increased(expression: sympy.Expr) -> Iterator[sympy.Expr]:
+    """Yield copies of the expression, each with one integer increased by one."""
+    if expression.is_Integer:
+        yield expression + (1 if expression != -1 else 2)  # an exponent of 0 would leave 1
+    if isinstance(expression, Shifted):  # the integer is a place of evaluation
+        return
+    for place, argument in enumerate(expression.args):
+        named = expression.is_Pow and not expression.exp.is_Integer and not argument.is_commutative  # (1 + v)^n
+        if isinstance(argument, sympy.Expr) and not named:
+            for changed in _increased(argument):
+                yield expression.func(*expression.args[:place], changed, *expression.args[place + 1 :])
 
 
 # ---- at one order -----------------------------------------------------------------------------------------------

@@ -9,12 +9,12 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from derive.claims.language.written import written
+from derive.claims.language.operations import written
 from derive.claims.result import Result, Status
 from derive.claims.run import SECONDS, check_sheets
 from derive.claims.sheet import Sheet, load
-from derive.output.facts import json_rows
-from derive.output.progress import no_op
+from derive.output.pages import json_rows
+from derive.output.shown import no_op
 
 LIBRARY = Path(__file__).parents[2] / "derive" / "papers" / "field"
 TRUE, WRONG = (Status.HOLDS, Status.HOLDS_IF), (Status.FALSE, Status.ERRATUM)

@@ -6,12 +6,11 @@ import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import chain
 
-from derive.output.facts import json_rows
-from derive.pages.coverage import ROWS
+from derive.output.pages import json_rows
+from derive.pages.explain import ROWS
 from derive.pages.sheet import CLOSED, EVERY_PHI, MAPS_OF_ORDER, MOTION_OF_ORDER
-from derive.proof.identity import Proof
+from derive.proof.identity import Premise, Proof
 from derive.proof.notation import latex
-from derive.proof.statement import Premise
 
 from .coq import in_coq
 

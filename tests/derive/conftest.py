@@ -22,7 +22,7 @@ settings.load_profile("untimed")
 def without_validation(monkeypatch: pytest.MonkeyPatch) -> None:
     """Write kernels without validation, which takes seconds per module."""
     found = {name: unvalidated(target) for name, target in TARGETS.items()}
-    monkeypatch.setattr("derive.codegen.publish.TARGETS", found)
+    monkeypatch.setattr("derive.codegen.build.TARGETS", found)
 
 
 @pytest.fixture(scope="session")

@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from derive.scratch import PREFIX, scratch
+from derive.workers import PREFIX, scratch
 from tests.support.command import ROOT
 from tests.support.staying import until
 
@@ -19,7 +19,7 @@ pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="Windows has no 
 
 HOLD = """
 import time
-from derive.scratch import scratch
+from derive.workers import scratch
 with scratch() as folder:
     (folder / "file").touch()
     print("held", flush=True)

@@ -24,7 +24,7 @@ import derive
 from derive.algebra import Dual, Isotropic, Quaternion, Tensor, Vector
 from derive.codegen import Package
 from derive.maps.chart import Chart
-from derive.output.listing import Listing
+from derive.output.shown import Listing
 from derive.papers import PAPERS
 from derive.proof import Proof, theorems
 from derive.proof.proved import STATED

@@ -16,7 +16,7 @@ import numpy as np
 import pytest
 
 from derive.about import FAMILIES, ORDERS
-from derive.maps.any_phi.parameterization import parameterization
+from derive.maps.named import parameterization
 from dualcay import _numbers, _runtime, orthographic, unwrap
 from tests.support import packages, sampling
 

@@ -10,9 +10,9 @@ from unittest import mock
 
 from derive.codegen import catalogue
 from derive.codegen.build import build
-from derive.codegen.lowered import lower_chart, printed_geometry
 from derive.codegen.programs.program import Assignment, Call, Operand, Program, Statement
-from derive.codegen.targets import TARGETS, infix
+from derive.codegen.signatures import lower_chart, printed_geometry
+from derive.codegen.targets import TARGETS, expression
 from derive.maps import Cayley
 from derive.maps.chart import Chart
 
@@ -49,12 +49,12 @@ def _mutants(owner: str, charts: Sequence[Chart], program: Program) -> Iterator[
 
 def _trial(charts: Sequence[Chart], program: Program | None, changed: Program | None) -> Verdict:
     """Build the charts with one program replaced by its mutant."""
-    print_body = infix.body
+    print_body = expression.body
 
     def body(given: Program, *arguments: Any, **options: Any) -> str:
         return print_body(changed if changed and given == program else given, *arguments, **options)
 
-    with mock.patch.object(infix, "body", body):
+    with mock.patch.object(expression, "body", body):
         try:
             build(charts, TARGETS["numpy"])
         except Exception as error:

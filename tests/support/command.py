@@ -33,7 +33,7 @@ def dualcay(*arguments: str, cwd: Path = ROOT) -> Done:
         patch.setattr(sys, "argv", ["dualcay", *arguments])
         patch.setenv("NO_COLOR", "1")
         patch.setattr("derive.cli.display.FIRST_PAUSE", 3600.0)  # no progress lines
-        patch.setattr("derive.cli.generate.cores", lambda: 1)  # other processes would not see what tests replace
+        patch.setattr("derive.cli.charts.cores", lambda: 1)  # other processes would not see what tests replace
         patch.chdir(cwd)
         with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
             code = main()

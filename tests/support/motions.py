@@ -6,10 +6,13 @@ no chart is singular.
 
 from __future__ import annotations
 
+import importlib
 from types import ModuleType
 from typing import Any
 
 import numpy as np
+
+from derive.motion_equations import MotionEquation
 
 PITCHES = 0.5, 0.8  # translation per radian along each axis
 
@@ -44,3 +47,29 @@ def body_twist(t: Any, library: ModuleType = np) -> Any:
 
 
 TWISTS = {"space": space_twist, "body": body_twist}
+
+
+def kernels(equation: MotionEquation) -> Any:
+    """Return the kernels of the chart of an equation, or those of n = 2."""
+    return importlib.import_module(f"dualcay.{equation.chart.name if equation.chart else 'cayley2'}")
+
+
+def state(equation: MotionEquation, v: np.ndarray) -> np.ndarray:
+    """Return the state of a kinematic equation at a vector of its kernels; an equation of vectors has v itself."""
+    module = kernels(equation)
+    found: np.ndarray = {18: module.tensor, 8: module.quaternion, 6: np.asarray}[equation.states](v)
+    return found.ravel()
+
+
+def start(equation: MotionEquation, t: float = 0.0) -> np.ndarray:
+    """Return the state of a kinematic equation at a time of the tumbling body."""
+    return state(equation, kernels(equation).from_pose(pose(t)))
+
+
+def reached(equation: MotionEquation, y: np.ndarray) -> np.ndarray:
+    """Return the homogeneous matrices of states, the columns of y, of shape (..., 4, 4)."""
+    module, rows = kernels(equation), np.moveaxis(y, 0, -1)
+    if equation.states == 18:
+        rows = module.from_tensor(rows.reshape(*rows.shape[:-1], 2, 3, 3))
+    poses: np.ndarray = module.pose(module.from_quaternion(rows) if equation.states == 8 else rows)
+    return poses

@@ -9,9 +9,9 @@ from typing import Any
 
 from ..language.calculus import BINDERS
 from ..language.matrices import inverse
+from ..language.operations import written
 from ..language.operator_table import conjugate, transpose
 from ..language.printed import Apply, Number, Symbol, Term, symbols
-from ..language.written import written
 from ..numbers.balls import BlurredError
 from .claim import Claim, Place, kind
 from .places import Probe

@@ -12,8 +12,8 @@ from itertools import chain, combinations, islice
 from typing import Any
 
 from ...algebra import Vector
+from ..language.operations import written
 from ..language.printed import Symbol, Term, symbols
-from ..language.written import written
 from ..numbers.balls import BlurredError
 from ..numbers.kinds import ORDER, SIGN, Kind, Numbers, special
 from .claim import Claim, Place, kind, operators

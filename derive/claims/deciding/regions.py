@@ -9,9 +9,9 @@ from itertools import combinations, product
 from typing import Any
 
 from ..language.matrices import entry, stacked
+from ..language.operations import written
 from ..language.operator_table import conjugate, norm, trace
 from ..language.printed import Number, Symbol, Term, Trait, symbols, walk
-from ..language.written import written
 from ..numbers.balls import Ball, Balls, BlurredError, arb
 from ..numbers.fields import innermost
 from .claim import Claim, Place, kind

@@ -14,9 +14,9 @@ from typing import Any
 import flint
 
 from ..language.environment import Env
+from ..language.operations import written
 from ..language.operator_table import Re, norm
 from ..language.printed import Symbol
-from ..language.written import written
 from ..numbers.balls import Ball, arb, precision
 from ..numbers.kinds import ORDER, Numbers
 from .claim import Claim, Place, kind
@@ -49,7 +49,6 @@ class Line:
 
     @property
     def one_sided(self) -> bool:
-        """Whether t is not negative."""
         return self.radial or kind(self.letter).spread == "positive"
 
     @property
@@ -61,7 +60,6 @@ class Line:
         return f"t along {self.letter.name}"
 
     def point(self, t: Any) -> dict[Symbol, Any]:
-        """Return the coordinates at t."""
         scale: Any = t
         if self.radial:
             scale = t / Ball(arb(sum(d * d for d in self.direction)).sqrt())

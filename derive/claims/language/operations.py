@@ -1,5 +1,4 @@
-"""Table of the operations in papers' files: what each takes, what it gives, and the operator that it stands for.
-"""
+"""Table of the operations in papers' files: what each takes, what it gives, and the operator that it stands for."""
 
 from __future__ import annotations
 
@@ -7,9 +6,10 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from . import calculus, matrices, operator_table, relations
-from .printed import Symbol, Term
-from .shapes import POSE, TENSOR, TESTS, TWIST, VECTOR, Kind, KindError, article, is_number, name
+from . import calculus, matrices, operator_table
+from .calculus import BINDERS
+from .names import POSE, TENSOR, TESTS, TWIST, VECTOR, Kind, KindError, article, is_number, name
+from .printed import Number, Symbol, Term, text
 
 Gives = Kind | Callable[..., Kind]
 
@@ -44,7 +44,6 @@ class Operation:
 
 
 def same(kind: Kind, *rest: Kind) -> Kind:
-    """Return the kind of the first argument."""
     return kind
 
 
@@ -114,7 +113,7 @@ OPERATIONS: dict[str, Operation] = {
                       "magnitude of a number, column or quaternion", "norm(v)"),
     "dot": Operation(("column", "column"), "number", t.dot, "scalar product of two columns", "dot(v, w)"),
     "cross": Operation(("vector", "vector"), VECTOR, t.cross, "vector product", "cross(v, w)"),
-    "distance": Operation(("vector", "vector"), "number", relations.distance,
+    "distance": Operation(("vector", "vector"), "number", matrices.distance,
                           "shortest distance of two lines, given by unit dual vectors", "distance(v, w)"),
     "dyad": Operation(("vector", "vector"), TENSOR, t.dyad, "dyadic product v wᵀ", "dyad(v, w)"),
     "skew": Operation(("vector or twist",), _skew, t.skew, "matrix with skew(v) w = v × w; of a twist its 4x4 matrix",
@@ -141,15 +140,15 @@ OPERATIONS: dict[str, Operation] = {
     "cos": _function(t.cos, "cosine", "cos(a)"),
     "tan": _function(t.tan, "tangent", "tan(a)"),
     "cot": _function(t.cot, "cotangent", "cot(a)"),
-    "asin": _function(relations.asin, "arc sine in [−π/2, π/2]", "asin(x)"),
-    "acos": _function(relations.acos, "arc cosine in [0, π]", "acos(x)"),
+    "asin": _function(matrices.asin, "arc sine in [−π/2, π/2]", "asin(x)"),
+    "acos": _function(matrices.acos, "arc cosine in [0, π]", "acos(x)"),
     "atan": _function(t.arctan, "arc tangent in (−π/2, π/2)", "atan(x)"),
-    "atan2": Operation(("number", "number"), "number", relations.atan2, "angle of the point (x, y) in (−π, π]",
+    "atan2": Operation(("number", "number"), "number", matrices.atan2, "angle of the point (x, y) in (−π, π]",
                        "atan2(y, x)"),
-    "sinh": _function(relations.sinh, "hyperbolic sine", "sinh(x)"),
-    "cosh": _function(relations.cosh, "hyperbolic cosine", "cosh(x)"),
-    "tanh": _function(relations.tanh, "hyperbolic tangent", "tanh(x)"),
-    "sinc": _function(relations.sinc, "sin x/x, and 1 at 0", "sinc(x)"),
+    "sinh": _function(matrices.sinh, "hyperbolic sine", "sinh(x)"),
+    "cosh": _function(matrices.cosh, "hyperbolic cosine", "cosh(x)"),
+    "tanh": _function(matrices.tanh, "hyperbolic tangent", "tanh(x)"),
+    "sinc": _function(matrices.sinc, "sin x/x, and 1 at 0", "sinc(x)"),
     "vector": Operation(("number", "number", "number"), VECTOR, matrices.vector, "vector of three components",
                         "vector(a, b, c)"),
     "stack": Operation(("number or matrix", "number or matrix"), _stacked, matrices.stacked,
@@ -183,12 +182,12 @@ OPERATIONS: dict[str, Operation] = {
                         "series(exp(x), x, 3)", binds=True),
     "binomial": Operation(("integer", "integer"), "integer", t.binomial, "binomial coefficient", "binomial(n, k)"),
     "factorial": Operation(("integer",), "integer", t.factorial, "factorial", "factorial(k)"),
-    "floor": Operation(("number",), "integer", relations.floor, "largest integer below", "floor(n/2)"),
-    "p": Operation(("integer", "number"), "number", relations.p, "polynomial p_n of CP23", "p(n, x)"),
-    "q": Operation(("integer", "number"), "number", relations.q, "polynomial q_n of CP23", "q(n, x)"),
-    "cay": Operation(("integer", "vector"), TENSOR, relations.cay, "rotation of tan(α/2n) u", "cay(n, v)"),
-    "dcay": Operation(("integer", "vector"), TENSOR, relations.dcay, "tangent operator of cay", "dcay(n, v)"),
-    "dexp": Operation(("vector",), TENSOR, relations.dexp, "tangent operator of exp(skew(v))", "dexp(v)"),
+    "floor": Operation(("number",), "integer", matrices.floor, "largest integer below", "floor(n/2)"),
+    "p": Operation(("integer", "number"), "number", matrices.p, "polynomial p_n of CP23", "p(n, x)"),
+    "q": Operation(("integer", "number"), "number", matrices.q, "polynomial q_n of CP23", "q(n, x)"),
+    "cay": Operation(("integer", "vector"), TENSOR, matrices.cay, "rotation of tan(α/2n) u", "cay(n, v)"),
+    "dcay": Operation(("integer", "vector"), TENSOR, matrices.dcay, "tangent operator of cay", "dcay(n, v)"),
+    "dexp": Operation(("vector",), TENSOR, matrices.dexp, "tangent operator of exp(skew(v))", "dexp(v)"),
     "implies": Operation(("relation", "relation"), "truth", t.implies, "the second where the first is true",
                          "implies(x > 0, sqrt(x**2) == x)"),
 }
@@ -200,7 +199,61 @@ CONSTANTS: dict[str, tuple[Symbol, Kind]] = {
 
 
 def term(call: str, arguments: Sequence[Term], kinds: Sequence[Kind]) -> tuple[Term, Kind]:
-    """Return the term of a call and its kind; raise KindError."""
     row = OPERATIONS[call]
     kind = row.kind(call, kinds)
     return row.term(*arguments), kind
+
+
+OR, AND, NOT, RELATION, SUM, PRODUCT, POWER, ATOM = range(8)
+"""Binding strengths, in Python's order."""
+
+INFIX: dict[str, tuple[str, int, int, int]] = {
+    "or": (" or ", OR, OR, AND), "both": (" and ", AND, AND, NOT), "equal": (" == ", RELATION, SUM, SUM),
+    "unlike": (" != ", RELATION, SUM, SUM), "less": (" < ", RELATION, SUM, SUM),
+    "at most": (" <= ", RELATION, SUM, SUM),
+    "greater": (" > ", RELATION, SUM, SUM), "at least": (" >= ", RELATION, SUM, SUM),
+    "plus": (" + ", SUM, SUM, PRODUCT),
+    "minus": (" - ", SUM, SUM, PRODUCT), "times": ("*", PRODUCT, PRODUCT, POWER),
+    "over": ("/", PRODUCT, PRODUCT, POWER),
+    "power": ("**", POWER, ATOM, POWER),
+}  # fmt: skip
+"""Sign, strength of the result, and least strengths of the left and right operand."""
+
+PREFIX = {"negative": ("-", PRODUCT, POWER), "negated": ("not ", NOT, NOT), "nonzero": ("{} != 0", RELATION, SUM)}
+LOCAL = ("limit at", "integral")
+"""Operators whose letter has no value outside."""
+NAMES = {symbol: name for name, (symbol, _) in CONSTANTS.items()}
+CALLS = {row.operator or name: name for name, row in OPERATIONS.items()} | {"entry of column": "entry", "bracket": ""}
+"""Name of a call by the name of its operator."""
+
+
+def written(term: Term) -> str:
+    """Return a term as a claim; an operator of a paper in Python keeps the characters of its text."""
+    return _written(term)[0]
+
+
+def _written(term: Term) -> tuple[str, int]:
+    if isinstance(term, Number):
+        return (str(term.value), ATOM) if term.value >= 0 else (str(term.value), PRODUCT)
+    if isinstance(term, Symbol):
+        return NAMES.get(term, str(term.args[3])), ATOM
+    name, arguments = term.operator.name, term.arguments
+    if BINDERS.get(name) == 1 and name not in LOCAL and str(arguments[1].args[3]) == written(arguments[2]):
+        arguments = (*arguments[:2], *arguments[3:])
+    if name in INFIX and len(arguments) >= 2:
+        sign, level, left, right = INFIX[name]
+        return sign.join(_at_least(a, right if i else left) for i, a in enumerate(arguments)), level
+    if name in PREFIX:
+        sign, level, least = PREFIX[name]
+        inside = _at_least(arguments[0], least)
+        return (sign.format(inside) if "{" in sign else sign + inside), level
+    if name in CALLS:
+        return f"{CALLS[name]}({', '.join(map(written, arguments))})", ATOM
+    if not arguments:
+        return text(term), ATOM
+    return term.operator.text.format(*map(written, arguments)) if "{0}" in term.operator.text else text(term), ATOM
+
+
+def _at_least(term: Term, least: int) -> str:
+    shown, level = _written(term)
+    return shown if level >= least else f"({shown})"

@@ -12,7 +12,7 @@ from enum import Enum, auto
 from fractions import Fraction
 from functools import reduce
 from math import factorial
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from ...algebra import Dual, Quaternion, Tensor, Vector
 from ...algebra.first_principles import tensor_by_sandwich as rotation
@@ -94,7 +94,6 @@ def versor(c: Numbers) -> Quaternion:
 
 
 def _pose(c: Numbers) -> Any:
-    """Return the pose of a rotation, then a displacement."""
     rows = [(*row, d) for row, d in zip(turned(c).rows, c[4:], strict=True)]
     return shaped([*rows, (0, 0, 0, 1)])
 
@@ -189,13 +188,8 @@ def exact(kind: Kind) -> Callable[[Any, str], Any]:
 
 
 def special(kind: Kind) -> dict[str, Numbers]:
-    """Return the special coordinates of a kind by label."""
     with precision(SPECIAL_BITS):
         return dict(kind.special(Balls().pi))
-
-
-if TYPE_CHECKING:
-    from .generic import Generic
 
 
 class Role(Enum):
@@ -207,7 +201,7 @@ class Role(Enum):
     TENSOR = auto()  # has generic entries; no frame is chosen
 
 
-Value = Callable[["Generic", str], Any]
+Value = Callable[[Any, str], Any]
 """Function that returns the generic value of a symbol, given its name."""
 
 

@@ -6,8 +6,7 @@ from collections.abc import Callable
 from functools import partial
 
 from .content import Report
-from .pages import as_json, data, page
-from .text import as_text
+from .forms import as_json, as_text, data, page
 
 FORMATS: dict[str, Callable[[Report], str]] = {
     "text": as_text,

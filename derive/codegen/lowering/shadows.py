@@ -8,7 +8,7 @@ from __future__ import annotations
 import itertools
 
 from ...algebra import Dual, Tensor, Vector
-from ..programs.value import Number
+from ..programs.program import Number
 from .calculus import entries6
 from .point import TABLE, Geometry, Point, Results
 

@@ -9,8 +9,7 @@ import keyword
 from collections.abc import Collection, Iterable, Sequence
 from dataclasses import replace
 
-from .program import Assignment, Call, Operand, Program, Statement
-from .value import Folding, Number, Value, label
+from .program import Assignment, Call, Folding, Number, Operand, Program, Statement, Value, label
 
 COMMUTATIVE = frozenset({"add", "mul", "eq", "and", "or"})
 OF_C = (

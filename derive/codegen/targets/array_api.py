@@ -8,31 +8,16 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 from importlib.util import find_spec
 
-from ..lowered import lower_chart
 from ..lowering.retraction import EXPONENTIAL
 from ..lowering.scalar_programs import SCALARS, SQUARES
 from ..lowering.slopes import slopes
 from ..package import Data, Facts
 from ..rows import Table
+from ..signatures import lower_chart
 from ..validation import Library
 from .python import PythonTarget, printed_scalars
 
 STRICT = "array_api_strict"
-TOWERS = {
-    "pose_scalars": "tangent_scalars",
-    "tangent_scalars": "tangent_dot_scalars",
-    "inverse_scalars": "tangent_inv_scalars",
-    "tangent_inv_scalars": "tangent_inv_dot_scalars",
-    "tangent_inv_dot_scalars": "tangent_inv_dot_scalars",
-}
-"""Scalar programs, and those that return slopes of their results; the last slopes have none."""
-
-STEP_SCALARS = (
-    "pose_scalars", "tangent_scalars", "tangent_dot_scalars", "rate_scalars", "tangent_inv_scalars",
-    "tangent_inv_dot_scalars",
-)  # fmt: skip
-"""Scalar programs of the exponential that the rules of differentiation need."""
-
 STORED = {"exponential_scalars": "stored", "followed": "stored", "displacement": "stored", "vector_of": "taken"}
 """Geometry programs with results, or arguments, that many steps read, as they do results of scalar programs."""
 
@@ -52,7 +37,7 @@ READERS = 3
 def slopes_of_steps() -> Data:
     """Return the exponential's scalars and the names of slopes, for the rules of differentiation."""
     scalars = lower_chart(EXPONENTIAL).scalars
-    steps = printed_scalars(EXPONENTIAL, {name: scalars[name] for name in STEP_SCALARS})
+    steps = printed_scalars(EXPONENTIAL, {name: scalars[name] for name, row in SCALARS.items() if row.of_steps})
     return {**marked(steps, once), **rules_of_slopes()}
 
 
@@ -100,7 +85,6 @@ def once(forms: str) -> str:
 
 
 def marked(printed: Data, mark: Callable[[str], str]) -> Data:
-    """Return lists of printed programs with marks in their text."""
     return {
         name: [replace(program, forms=mark(program.forms)) for program in programs]
         for name, programs in printed.items()
@@ -109,6 +93,7 @@ def marked(printed: Data, mark: Callable[[str], str]) -> Data:
 
 def rules_of_slopes() -> Data:
     """Return the names of results whose slopes other programs return, and the programs of three squares."""
-    results = {name: SCALARS[name].results for name in (*TOWERS, "tangent_dot_scalars")}
-    squares = tuple(name for name in TOWERS if SCALARS[name].arguments == SQUARES)
-    return {"results": results, "towers": TOWERS, "squares": squares, "slopes": slopes()}
+    towers = {name: row.slopes for name, row in SCALARS.items() if row.slopes}
+    results = {name: SCALARS[name].results for name in (*towers, "tangent_dot_scalars")}
+    squares = tuple(name for name in towers if SCALARS[name].arguments == SQUARES)
+    return {"results": results, "towers": towers, "squares": squares, "slopes": slopes()}

@@ -16,18 +16,18 @@ from pathlib import Path
 
 from ...maps.chart import Chart
 from ...output import RefusedError
-from ..lowered import geometry, printed_geometry, shared_with_poses
 from ..package import Data, Facts
 from ..programs.program import Call, Program
 from ..rows import Function, Table
+from ..signatures import geometry, printed_geometry, shared_with_poses
 from ..validation import Library
-from . import infix
+from . import expression
 from .expression import WIDTH, Lists, items
 from .python import PythonFunction, PythonTarget, formula_of
 
 MOST_OUTPUTS = 9  # largest number of stores in a loop that LLVM still vectorizes
 TABLE = "table"  # argument of constants, equal for all poses; for some functions only the chart knows its length
-DIALECT = infix.python(prefix="", literal=lambda value: f"_m{-value}" if value < 0 else f"_{value}")
+DIALECT = expression.python(prefix="", literal=lambda value: f"_m{-value}" if value < 0 else f"_{value}")
 
 
 @dataclass(frozen=True, slots=True)
@@ -52,7 +52,7 @@ def loops(row: Function, program: Program) -> Loops:
 
 def _printed(program: Program, formula: str = "") -> PythonFunction:
     """Return a function whose arguments are tuples of components, numbers, or the table."""
-    body = infix.body(program, dialect=DIALECT, alone=True, ask=_ask, first=_first(program))
+    body = expression.body(program, dialect=DIALECT, alone=True, ask=_ask, first=_first(program))
     return PythonFunction(program.name, tuple(argument for argument, _ in program.inputs), body, formula)
 
 
@@ -88,7 +88,6 @@ def _call(program: Program, group: Sequence[int], indent: str, suffix: str) -> s
 
 
 def _called(programs: Sequence[PythonFunction]) -> list[str]:
-    """Return the functions of ``_compiled`` that the programs call."""
     text = "".join(program.forms for program in programs)
     names = ("atan2", "expm1", "log1p", "number", "reciprocal", "sqrt", "tan", "where")
     return [name for name in names if re.search(rf"\b{name}\(", text)]

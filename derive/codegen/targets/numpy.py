@@ -5,13 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable
 from functools import partial
 
-from ..lowered import geometry, lower_chart
-from ..lowering.dual_quaternions import LOCAL, PROGRAMS
+from ..lowering.forward import LOCAL, PROGRAMS
 from ..lowering.point import traced
 from ..lowering.scalar_programs import SCALARS, powers_of_factor
 from ..package import Data, Facts, fingerprint
 from ..rows import Function
-from ..signatures import POSES
+from ..signatures import POSES, geometry, lower_chart
 from .expression import items
 from .python import CLASSES, PythonTarget, printed_program, printed_scalars
 

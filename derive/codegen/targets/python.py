@@ -16,16 +16,15 @@ from ...maps.chart import Chart
 from ...maps.chart_formulas import DEFINITIONS
 from ...maps.named import NUMBERED, SINGLE
 from ...proof import shown
-from ..lowered import printed_geometry, shared_with_poses
-from ..lowering.scalar_programs import FORMULAS
+from ..lowering.scalar_programs import SCALARS
 from ..package import Data, Facts, Target, cited, comment
 from ..programs.program import Program
 from ..programs.shared import with_helpers
 from ..rows import Function, Table, inside
-from ..signatures import JACOBIAN, POSES, ROTATIONS, SIDES
+from ..signatures import JACOBIAN, POSES, ROTATIONS, SIDES, printed_geometry, shared_with_poses
 from ..validation import NUMPY, Library, replay, validate
 from ..validation.calls import require_calls
-from . import infix
+from . import expression
 
 INTERFACE = "_interface.py"
 CLASSES = {POSES: "PoseKernels", ROTATIONS: "RotationKernels"}  # classes of the documented interfaces, by table
@@ -187,7 +186,7 @@ def printed_program(program: Program, kernel: bool = False) -> PythonFunction:
     context = "m, c" if kernel else program.context
     given = (f"{name}: {'Any' if parts == (name,) else 'Components'}" for name, parts in program.inputs)
     parameters = (*(f"{name}: Any" for name in context.split(", ") if name), *given)
-    return PythonFunction(program.name, parameters, infix.body(program))
+    return PythonFunction(program.name, parameters, expression.body(program))
 
 
 def printed_scalars(chart: Chart, scalars: Mapping[str, Program]) -> dict[str, list[PythonFunction]]:
@@ -203,13 +202,18 @@ def printed_scalars(chart: Chart, scalars: Mapping[str, Program]) -> dict[str, l
 
 def _printed(program: Program, formula: str) -> PythonFunction:
     parameters = tuple(part for _, parts in program.inputs for part in parts)
-    body = infix.body(program, alone=True, ask=lambda call, passed: f"_{call.function}(m, {passed})")
+    body = expression.body(program, alone=True, ask=lambda call, passed: f"_{call.function}(m, {passed})")
     return PythonFunction(program.name, parameters, body, formula)
 
 
+def formulas_of(scalar: str, chart: Chart) -> list[str]:
+    """Return the formulas of a scalar program: for every chart, and for order n."""
+    row = SCALARS[scalar]
+    return [shown(row.every), *([shown(row.of_order, chart.cayley)] if row.of_order and chart.cayley else [])]
+
+
 def formula_of(scalar: str, chart: Chart) -> str:
-    """Return the formula of a scalar program as a comment: for every chart, for order n, and equation numbers."""
-    general, of_order, maps = FORMULAS[scalar]
-    texts = [shown(general), *([shown(of_order, chart.cayley)] if of_order and chart.cayley else [])]
-    equations = dict.fromkeys(number for name in maps for number in getattr(chart, name).equations)
+    """Return the formula of a scalar program as a comment, with equation numbers."""
+    texts = formulas_of(scalar, chart)
+    equations = dict.fromkeys(number for name in SCALARS[scalar].maps for number in getattr(chart, name).equations)
     return comment([*texts[:-1], texts[-1] + (f"; CP23 {cited(equations)}" if equations else "")], "#")

@@ -14,8 +14,7 @@ from pathlib import Path
 import numpy as np
 
 from ...maps.chart import Chart
-from ...scratch import scratch
-from ...workers import SlowError, run
+from ...workers import SlowError, run, scratch
 from .batches import ValidationFailed
 
 TYPES = ("double", "float")

@@ -17,8 +17,7 @@ from ...algebra import Coefficient, Dual, Isotropic, Quaternion, Tensor, Vector
 from ...algebra.pose import Pose, pose_from_tensor
 from ...maps import Formula, x
 from ...maps.chart import Chart
-from ...maps.elementary import evaluate
-from ...maps.families import alpha
+from ...maps.elementary import alpha, evaluate
 from ..rows import Function
 from .vectors import Flat, Vectors, dual, flat
 

@@ -9,7 +9,7 @@ from typing import Any
 import mpmath
 
 from ...algebra import Dual, Quaternion, Tensor, Vector
-from ...algebra.exponentials import quaternion_exponential
+from ...algebra.first_principles import quaternion_exponential
 from ...algebra.functions import atan2
 from ...algebra.pose import Pose, Screw, orientation, polar, tensor_from_pose
 from ..rows import Function

@@ -16,10 +16,9 @@ import sympy
 from ...algebra import Dual, Quaternion, Tensor, Vector, dual_part, real_part
 from ...algebra.functions import atan2
 from ...algebra.pose import Screw, natural_invariants, orientation, polar, quaternion_from_screw
-from ...maps.angle_of_length import angle_of
+from ...maps.angle import angle_of
 from ...maps.chart import Chart
-from ...maps.elementary import evaluate
-from ...maps.families import alpha
+from ...maps.elementary import alpha, evaluate
 
 Flat = tuple[Any, ...]  # components of an array, in C order
 DIGITS_CANCELLED, POWER_CANCELLED = 50, 10

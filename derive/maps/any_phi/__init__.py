@@ -10,7 +10,6 @@ beyond                    A proved number of Newton's steps finds the angle from
                           and its derivatives.
 ========================  ==========================================================================================
 
-In the order of their use: `grammar`, `expressions`, `regular`, `taylor`, `intervals`, `edges`, `near_zero`, `rounding`,
-`phi_values`, `guesses`, `first_guess`, `lengths`, `general`, `parameterization`. Other rooms import the last one alone.
-This file imports nothing: `grammar` works without SymPy.
+In the order of their use: `expressions`, `regular`, `intervals`, `edges`, `near_zero`, `rounding`, `phi_values`,
+`guesses`, `first_guess`, `lengths`, `general`. Of the other rooms, `derive.maps.named` alone imports them.
 """

@@ -25,10 +25,9 @@ from typing import Any
 import mpmath
 import sympy
 
-from ..angle_of_length import real_value
-from ..families import alpha
-from ..phi_error import PhiError
-from ..quotient import elementary
+from ..angle import real_value
+from ..elementary import alpha, elementary
+from ..grammar import PhiError
 from .intervals import Intervals, Undecided, precise
 
 PHI_DIGITS = 60
@@ -56,7 +55,7 @@ class Edge:
     angle: sympy.Expr
     kind: str
     order: sympy.Rational = field(default=sympy.S.One, compare=False)
-    """Order of the pole, 0 for a logarithm, or of the zero of φ′."""
+    """Order of the pole (0 for a logarithm), or of the zero of φ′ at a fold."""
     flat: tuple[Any, ...] = field(default=(), compare=False)
     """Angles below the edge at and beside the least minima of φ′, the least one first."""
 
@@ -263,7 +262,7 @@ def _minimum(slope: sympy.Expr, low: Any, angle: Any, high: Any) -> list[tuple[A
 
 
 def closed_inverse(phi: sympy.Expr) -> sympy.Expr | None:
-    """Return φ⁻¹ with `families.alpha` in place of the length; None if no form is found.
+    """Return φ⁻¹ with `elementary.alpha` in place of the length; None if no form is found.
 
     The form holds from 0 to the edge of φ, where the root and every function of a composition increase.
     """

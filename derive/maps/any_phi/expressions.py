@@ -20,12 +20,11 @@ import sympy
 from sympy.functions.elementary.trigonometric import TrigonometricFunction
 from sympy.polys.polyerrors import CoercionFailed
 
-from ...algebra.cayley_pairs import require_order
+from ...algebra.arithmetic import require_order
 from ...claims.language.grammar import source
-from ..families import alpha
-from ..phi_error import PhiError
-from ..quotient import Quotient, mirror
-from . import grammar
+from .. import grammar
+from ..elementary import Quotient, alpha, mirror
+from ..grammar import PhiError
 
 ODD = (sympy.sin, sympy.tan, sympy.asin, sympy.atan, sympy.sinh, sympy.tanh, sympy.asinh, sympy.atanh)
 EVEN = (sympy.cos, sympy.cosh)
@@ -62,7 +61,7 @@ Form = tuple[Fraction, Any, int]
 
 
 def expression_of(phi: Any, order: int | None) -> sympy.Expr:
-    """Return a text or an expression as an elementary expression in `families.alpha`; `PhiError` gives the reason."""
+    """Return a text or an expression as an elementary expression in `elementary.alpha`; `PhiError` gives the reason."""
     if isinstance(phi, str):
         return parsed(phi, order)
     if not isinstance(phi, sympy.Expr):
@@ -96,7 +95,7 @@ def _without_common_cosines(product: sympy.Expr) -> sympy.Expr:
 
 
 def parsed(text: str, order: int | None = None) -> sympy.Expr:
-    """Return a text as an expression in `families.alpha`, with `order` for n; `PhiError` names a refused part."""
+    """Return a text as an expression in `elementary.alpha`, with `order` for n; `PhiError` names a refused part."""
     found = _built(text, order)[0]
     if found.has(sympy.zoo, sympy.nan, sympy.oo, -sympy.oo):
         raise PhiError(f"phi divides by zero: {text!r}")

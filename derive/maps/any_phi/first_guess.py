@@ -19,9 +19,9 @@ import mpmath
 import sympy
 
 from ...algebra.arithmetic import PLAIN
-from ..angle_of_length import angle_of, real_value
-from ..phi_error import PhiError
-from ..quotient import elementary
+from ..angle import angle_of, real_value
+from ..elementary import elementary
+from ..grammar import PhiError
 from ..real_constants import polynomial
 from .edges import Edge, closed_inverse, with_quotients
 from .guesses import LENGTH, LOGARITHM, Closed, Fitted, Guess, Halved, Variable, derivatives, fold, pole

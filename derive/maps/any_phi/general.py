@@ -20,22 +20,19 @@ import sympy
 
 from ...algebra import Coefficient
 from ...algebra.arithmetic import Arithmetic
-from .. import stumpff
+from .. import exponential
 from ..angle import Angle
-from ..angle_chart import AngleChart
-from ..families import alpha
-from ..noise import NOISE
+from ..elementary import Quotient, alpha, elementary
+from ..exponential import AngleChart
+from ..grammar import SYMBOLIC_ONLY, PhiError
 from ..order_charts import Derivatives, half_angle
-from ..phi_error import SYMBOLIC_ONLY, PhiError
-from ..quotient import Quotient, elementary
-from ..real_constants import plus
+from ..real_constants import NOISE, plus
 from ..scalars import DependentScalars, scalar
 from .edges import PHI_DIGITS, Edge, edge_of
 from .first_guess import guess
 from .guesses import Guess, from_end
-from .lengths import Lengths
 from .near_zero import Ratio, length_ratio, ratio
-from .phi_values import PhiValues
+from .phi_values import Lengths, PhiValues
 from .rounding import require_digits
 
 
@@ -49,7 +46,6 @@ class GeneralScalars(DependentScalars):
         self.is_near = m.name("nearby", m.less(limit.denominator * x, limit.numerator))
 
     def _select(self, near: Coefficient, far: Coefficient) -> Coefficient:
-        """Return `near` below the limit of x, and `far` beyond."""
         return self.m.where(self.is_near, near, far)
 
     # --- below the limit ----------------------------------------------------------------------------------------
@@ -63,7 +59,7 @@ class GeneralScalars(DependentScalars):
     _aa = scalar(lambda at: at._a(0) * at._a(0), "aa")
 
     _zeta = scalar(lambda at: at.m.div(at._x * at._aa, 4), "zeta")
-    _stumpff = cached_property(lambda at: stumpff.Stumpff(at._zeta, at.m))
+    _stumpff = cached_property(lambda at: exponential.Stumpff(at._zeta, at.m))
     _c3 = scalar(lambda at: at._stumpff.c3, "c3")
     _bend = scalar(lambda at: at._stumpff.slope, "c3x")
     _rate_near = scalar(lambda at: at._a(0) + 2 * (at._x * at._a(1)), "rhon")
@@ -181,7 +177,6 @@ class General(AngleChart):
 
     @property
     def _first(self) -> Any:
-        """Angle at the limit of x."""
         return self.inverse(mpmath.sqrt(float(self.near.limit)))
 
     @cached_property
@@ -208,7 +203,7 @@ class General(AngleChart):
 
     @property
     def remainder(self) -> float:
-        return max(of.remainder for of in (self.near, self.beside_zero) if of) + stumpff.REMAINDER
+        return max(of.remainder for of in (self.near, self.beside_zero) if of) + exponential.REMAINDER
 
     def overflow(self, largest: float) -> tuple[str, float]:
         if self._edge.kind == "pole":

@@ -10,9 +10,8 @@ from __future__ import annotations
 import mpmath
 import sympy
 
-from ..families import alpha
-from ..phi_error import PhiError
-from ..quotient import Quotient
+from ..elementary import Quotient, alpha
+from ..grammar import PhiError
 
 ORDER_MAX = 16
 """Largest order of a zero at α = 0."""

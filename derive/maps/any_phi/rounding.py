@@ -14,8 +14,8 @@ from typing import Any
 import mpmath
 import sympy
 
-from ..families import alpha
-from ..phi_error import PhiError
+from ..elementary import alpha
+from ..grammar import PhiError
 from .edges import Edge
 from .intervals import Intervals, Undecided, precise
 
@@ -76,6 +76,5 @@ def noise(at: Intervals, e: sympy.Expr, where: Any) -> Any:
 
 @lru_cache(maxsize=256)
 def _change(e: sympy.Expr) -> sympy.Expr:
-    """Return the derivative of a function or power by its argument or base."""
     u = sympy.Dummy("u")
     return e.func(u, *e.args[1:]).diff(u).subs(u, e.args[0])

@@ -11,8 +11,8 @@ import pytest
 import sympy
 
 from derive.algebra import Dual, ZeroDivisorError
-from derive.algebra.angles import AngleField
 from derive.algebra.element import Element, NotExactError
+from derive.algebra.exact import AngleField
 from derive.algebra.functions import atan, atan2, cos, cot, expm1, log1p, namespace, sin, sqrt, tan
 
 A = Dual(mpmath.mpf("0.7"), mpmath.mpf("-1.3"))

@@ -10,7 +10,6 @@ import pytest
 from derive.claims.decide import decide
 from derive.claims.deciding.conditions import is_sharp
 from derive.claims.equation import Entry, Reading, UndecidedError, equation, faithful
-from derive.claims.language.common_definitions import defined, unequal
 from derive.claims.language.operator_table import (
     Re,
     both,
@@ -41,6 +40,7 @@ from derive.claims.result import Result, Status
 from derive.papers import PAPERS
 from derive.papers.condurache_popa_2023.cp23_notation import alpha, positive, u, v
 from derive.papers.condurache_popa_2023.definitions import cayley_maps
+from derive.papers.condurache_popa_2023.definitions.dual_algebra import defined, unequal
 
 a, b, c = (Symbol(name, "dual number") for name in "abc")
 w = Symbol("w", "dual vector")

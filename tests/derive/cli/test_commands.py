@@ -60,7 +60,7 @@ def test_check_reports_a_stale_file_and_the_command_that_accepts_it(tmp_path: Pa
 def test_accepting_command_repeats_every_option(tmp_path: Path, monkeypatch, options: tuple[str, ...]):
     stale = Difference(tmp_path / "f.py", "stale")
     given = ("generate", "-n", "6", *options, "-o", str(tmp_path / "the user's kernels"))
-    monkeypatch.setattr("derive.codegen.publish.check_charts", lambda *_, **__: [stale])
+    monkeypatch.setattr("derive.codegen.build.check_charts", lambda *_, **__: [stale])
     done = dualcay(*given, "--check")
     assert done.returncode == 1
     assert done.stderr == f"1 file(s) differ; accept with:  {shlex.join(('dualcay', *given))}\n"
@@ -118,7 +118,7 @@ NOWHERE = "/proc/self/fd/no/file.svg"  # root too can write nothing there
 
 @pytest.mark.parametrize(
     ("command", "work"),
-    [("generate -n 2 -o", "derive.codegen.build.prove"), ("verify -o", "derive.cli.verify._report"),
+    [("generate -n 2 -o", "derive.codegen.build.prove"), ("verify -o", "derive.cli.verify._of_papers"),
      ("verify --claim 1==1 -o", "derive.cli.verify.check_sheets"),
      ("compare -n 2 --plot", "derive.pages.comparison.compared"),
      ("show --what sheet -o", "derive.pages.sheet_files.page")],
@@ -176,11 +176,11 @@ def hook(event, arguments):
         os.kill(os.getpid(), signal.SIGKILL)
 sys.addaudithook(hook)
 from derive.__main__ import main
-from derive.cli import generate
-from derive.codegen import publish
+from derive.cli import charts
+from derive.codegen import build
 from tests.support.packages import unvalidated
-generate.cores = lambda: 1
-publish.TARGETS = {"numpy": unvalidated(publish.TARGETS["numpy"])}
+charts.cores = lambda: 1
+build.TARGETS = {"numpy": unvalidated(build.TARGETS["numpy"])}
 sys.exit(main())
 """
 """Program that runs the command and kills it after the notice and one other file are written."""

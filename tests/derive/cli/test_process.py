@@ -22,7 +22,7 @@ def test_process_has_exit_code_and_separate_streams():
     assert "Missing option '-n'" in done.stderr
 
 
-@pytest.mark.parametrize("place", ["derive.cli.show.show", "derive.cli.run"])
+@pytest.mark.parametrize("place", ["derive.cli.charts.show", "derive.cli.run"])
 def test_interrupt_prints_one_line_and_exits_with_130(place: str):
     module, _, name = place.rpartition(".")
     code = (
@@ -47,7 +47,7 @@ def test_output_is_utf8_in_any_locale(encoding: str):
 def test_folder_name_that_is_not_utf8_is_printed_unchanged():
     name = os.fsdecode(b"k\xff")
     code = (
-        "import os, sys, derive.codegen.publish as module\n"
+        "import os, sys, derive.codegen.build as module\n"
         "from derive.codegen import Difference\n"
         "module.check_charts = lambda folder, *_, **__: [Difference(folder, 'missing')]\n"
         "from derive.__main__ import main\n"

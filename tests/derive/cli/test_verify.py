@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ast
 import json
 import re
 import shlex
@@ -93,13 +94,12 @@ def test_two_processes_write_the_same_page(tmp_path: Path) -> None:
 
 
 def test_undecided_entry_is_exit_1(monkeypatch, capsys) -> None:
-    import derive.cli.verify as verify
     from derive.cli import commands
 
     def undecided(*_: object) -> None:
         raise UndecidedError("(22): no point on both sides of its domain")
 
-    monkeypatch.setattr(verify, "decide", undecided)
+    monkeypatch.setattr("derive.papers.verify", undecided)
     monkeypatch.setattr(sys, "argv", ["dualcay", *K10, "--eq", "22"])
     assert commands.run() == 1
     assert "no point on both sides" in capsys.readouterr().err
@@ -119,6 +119,14 @@ def test_one_equation_is_decided_alone() -> None:
     assert "refuted at short numbers 1: false" in done.stdout
     assert "proofs" not in done.stdout  # no theorem concerns this equation
     assert done.stdout.endswith("False\n")  # the code generator is slow to load and not needed
+
+
+def test_claims_load_no_charts_theorems_and_papers() -> None:
+    code = ("import sys; from derive.cli import commands; sys.argv[1:] = ['verify', '--claim', '1 == 2']; "
+            "commands.run(); print({name.split('.')[1] for name in sys.modules if name.startswith('derive.')})")
+    done = in_a_process(code=code)
+    assert "refuted" in done.stdout
+    assert not {"maps", "proof", "papers", "codegen", "pages"} & ast.literal_eval(done.stdout.splitlines()[-1])
 
 
 @pytest.mark.parametrize("width", [40, 71, 72, 200])

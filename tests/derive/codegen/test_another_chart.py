@@ -15,7 +15,7 @@ from derive.codegen.targets import TARGETS
 from derive.codegen.validation.run import chosen
 from derive.codegen.validation.vectors import Vectors, flat, vectors_of
 from derive.maps import Cayley, x
-from derive.maps.families import alpha
+from derive.maps.elementary import alpha
 from derive.proof import ProofFailed, prove
 from docs.pages.controls import controls_of
 from tests.support.sine import Sine

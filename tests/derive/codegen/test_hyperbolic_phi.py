@@ -14,8 +14,7 @@ from derive.algebra.arithmetic import PLAIN
 from derive.codegen.catalogue import charts
 from derive.maps import parameterization
 from derive.maps.any_phi.phi_values import PhiValues
-from derive.maps.elementary import evaluate
-from derive.maps.families import alpha
+from derive.maps.elementary import alpha, evaluate
 from tests.support import families, packages
 from tests.support.of_square import OfSquare, Share, series
 

@@ -7,10 +7,9 @@ from fractions import Fraction
 import pytest
 
 from derive.algebra import Vector
-from derive.codegen.lowered import lower_chart, printed_geometry
 from derive.codegen.programs.trace import Trace
-from derive.codegen.signatures import ROTATIONS
-from derive.codegen.targets import infix
+from derive.codegen.signatures import ROTATIONS, lower_chart, printed_geometry
+from derive.codegen.targets import expression
 from derive.maps import Cayley, family, parameterization
 
 pytestmark = pytest.mark.smoke
@@ -110,7 +109,7 @@ def test_printing_keeps_the_order_of_evaluation():
         (Fraction(2, 3) / a, "2 / (3 * v1)"),
         (trace.where(trace.both(trace.less(a, b), trace.equal(a, 0)), a, b), "m.where((v1 < v2) & (v1 == 0), v1, v2)"),
     ]:
-        assert infix.body(trace.program("f", (value,))).splitlines()[-1] == f"    return {text},"
+        assert expression.body(trace.program("f", (value,))).splitlines()[-1] == f"    return {text},"
 
 
 def test_call_is_recorded_once_and_needs_named_arguments():
@@ -121,7 +120,7 @@ def test_call_is_recorded_once_and_needs_named_arguments():
     program = trace.program("f", (first * a, second))
     (call,) = program.calls
     assert (call.names, call.function, call.args) == (("f", "g"), "scalars", ("v1", "v2"))
-    assert "    f, g = c.scalars(m, v1, v2)" in infix.body(program).splitlines()
+    assert "    f, g = c.scalars(m, v1, v2)" in expression.body(program).splitlines()
     trace, a, b = traced()
     (result,) = trace.call("scalars", (a * b,), ("f",))
     with pytest.raises(ValueError, match="in a call: mul"):
@@ -132,8 +131,8 @@ def test_wrapped_statement_computes_the_same():
     trace, *inputs = traced(12)
     value = trace.name("total", sum((a * a * a * a for a in inputs[1:]), inputs[0]))
     program = trace.program("f", (value, *(a + value for a in inputs)))
-    source = infix.body(program)
-    assert max(map(len, source.splitlines())) <= infix.WIDTH
+    source = expression.body(program)
+    assert max(map(len, source.splitlines())) <= expression.WIDTH
     space: dict = {}
     exec(f"def f(v):\n{source}", space)
     numbers = list(range(12))

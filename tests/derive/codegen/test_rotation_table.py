@@ -8,11 +8,10 @@ import pytest
 
 from derive.codegen import ValidationFailed, catalogue
 from derive.codegen.build import print_package
-from derive.codegen.lowered import geometry
 from derive.codegen.lowering.point import narrowed
 from derive.codegen.lowering.scalar_programs import SQUARES
 from derive.codegen.programs.program import Call
-from derive.codegen.signatures import POSES, ROTATIONS
+from derive.codegen.signatures import POSES, ROTATIONS, geometry
 from derive.codegen.targets import TARGETS
 from derive.codegen.validation import NUMPY, replay, validate
 from derive.maps import Cayley

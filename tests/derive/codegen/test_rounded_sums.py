@@ -14,7 +14,7 @@ from derive.algebra.arithmetic import PLAIN
 from derive.codegen.lowering.scalar_programs import SQUARES, scalar_program
 from derive.codegen.programs.program import Program
 from derive.codegen.programs.trace import Trace
-from derive.codegen.targets import infix
+from derive.codegen.targets import expression
 from derive.maps.exponential import Exponential
 from tests.support.sharp import Sharp
 
@@ -25,7 +25,7 @@ def compiled(program: Program) -> Callable[..., tuple[float, ...]]:
     """Return a program compiled to a function of numbers."""
     space: dict[str, Any] = {"m": Sharp()}
     inputs = ", ".join(name for name, _ in program.inputs)
-    exec(f"def f({inputs}):\n{infix.body(program)}", space)
+    exec(f"def f({inputs}):\n{expression.body(program)}", space)
     return space["f"]
 
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 import pytest
 
 from derive.codegen import catalogue
-from derive.codegen.lowered import lower_chart
 from derive.codegen.programs.program import Call, Program
 from derive.codegen.programs.shared import with_helpers
+from derive.codegen.signatures import lower_chart
 from derive.maps import parameterization
 
 OWN = parameterization("2*sinh(alpha/2)", "own")

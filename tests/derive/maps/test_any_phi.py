@@ -17,7 +17,7 @@ from derive.maps import PhiError, parameterization
 from derive.maps.any_phi import edges, first_guess, intervals, rounding
 from derive.maps.any_phi.expressions import parsed
 from derive.maps.any_phi.guesses import Halved
-from derive.maps.families import alpha
+from derive.maps.elementary import alpha
 from tests.derive.codegen.test_hyperbolic_phi import FORMS
 from tests.support import packages, phis
 

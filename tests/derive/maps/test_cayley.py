@@ -10,7 +10,7 @@ import sympy
 
 import derive
 from derive.algebra import dual_part, real_part
-from derive.maps import Cayley, closed_forms, x
+from derive.maps import Cayley, cayley_scalars, x
 
 ORDERS = [1, 2, 3, 4, 5, 8, 11]
 V = sympy.symbols("v1:4 d1:4")
@@ -25,7 +25,7 @@ def test_symbolic_and_numeric_forms_agree(n: int, draw_exact) -> None:
         square = v.dot(v)
         for name in MAPS:
             formula = getattr(m, name)
-            values = getattr(closed_forms, name)(n, square)
+            values = getattr(cayley_scalars, name)(n, square)
             for value, expression in zip(values.coefficients, formula.coefficients, strict=True):
                 at = {x: sympy.Rational(square.re)}
                 assert isinstance(real_part(value), Fraction)  # the next line would accept an equal float

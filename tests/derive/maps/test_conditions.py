@@ -15,7 +15,7 @@ from derive.maps.any_phi import edges, first_guess, near_zero
 from derive.maps.any_phi.expressions import parsed
 from derive.maps.any_phi.guesses import Fitted
 from derive.maps.any_phi.intervals import Intervals, precise
-from derive.maps.families import alpha
+from derive.maps.elementary import alpha
 
 ONE, HALF = mpmath.mpf(1), mpmath.mpf("0.5")
 BEFORE = ONE - edges.WINDOW

@@ -10,14 +10,14 @@ import pytest
 import sympy
 
 from derive.algebra.arithmetic import PLAIN
-from derive.maps import PhiError, angle_of_length, parameterization
-from derive.maps.angle_of_length import angle_of, real_value
+from derive.maps import PhiError, angle, parameterization
+from derive.maps.angle import angle_of, real_value
 from derive.maps.any_phi import first_guess
 from derive.maps.any_phi.edges import PHI_DIGITS, Edge, closed_inverse, edge_of
 from derive.maps.any_phi.general import General
 from derive.maps.any_phi.guesses import Fitted, Guess, Halved
 from derive.maps.any_phi.intervals import precise
-from derive.maps.families import alpha
+from derive.maps.elementary import alpha
 
 EDGES = [
     (sympy.sin(alpha / 6), Edge(3 * sympy.pi, "fold")),
@@ -44,13 +44,13 @@ LENGTHS = [
 def test_angles_take_few_steps_in_many_digits(phi, edge, lengths, monkeypatch: pytest.MonkeyPatch):
     """Allow 6 evaluations in many digits after a start in floats, and 6 more near a pole, where the start may fail."""
     taken = set()
-    evaluated = angle_of_length.real_value
+    evaluated = angle.real_value
 
     def watched(expression: sympy.Expr, at: Any, of: sympy.Expr) -> Any:
         taken.update([at] if expression == phi and isinstance(at, mpmath.mpf) else [])
         return evaluated(expression, at, of)
 
-    monkeypatch.setattr(angle_of_length, "real_value", watched)
+    monkeypatch.setattr(angle, "real_value", watched)
     for length in lengths:
         taken.clear()
         with mpmath.workdps(PHI_DIGITS):

@@ -20,11 +20,10 @@ import sympy
 
 from derive.algebra import Dual, functions
 from derive.claims.language.grammar import DECIMAL_EXPONENT_MAX, DIGITS_MAX
-from derive.maps import PhiError, parameterization
-from derive.maps.any_phi import expressions, grammar
+from derive.maps import PhiError, grammar, parameterization
+from derive.maps.any_phi import expressions
 from derive.maps.any_phi.expressions import parity, parsed
-from derive.maps.elementary import FUNCTIONS, evaluate
-from derive.maps.families import alpha
+from derive.maps.elementary import FUNCTIONS, alpha, evaluate
 
 WORDS = (
     "alpha", "n", "pi", "1", "2", "40", "0.1", "1e-3", ".5", "+", "-", "*", "/", "**", "(", ")", ",", ".", "sin", "cos",
@@ -139,8 +138,7 @@ def test_user_text_is_never_run(monkeypatch: pytest.MonkeyPatch):
 def test_wrong_grammar_is_refused_without_sympy() -> None:
     code = """
 import sys
-from derive.maps.any_phi.grammar import PHI
-from derive.maps.phi_error import PhiError
+from derive.maps.grammar import PHI, PhiError
 try:
     PHI.tree("alpha + beta")
 except PhiError:

@@ -10,8 +10,9 @@ import mpmath
 import pytest
 
 from derive.algebra import Dual, Quaternion, Tensor, Vector, ZeroDivisorError, first_principles, functions
-from derive.algebra.exponentials import quaternion_exponential, tensor_exponential
-from derive.maps import closed_forms, rodrigues
+from derive.algebra.first_principles import quaternion_exponential, tensor_exponential
+from derive.maps import cayley_scalars
+from derive.proof import evaluation
 
 TINY = mpmath.mpf(10) ** -40
 Gap = Callable[[object, object], Any]
@@ -44,8 +45,8 @@ def rate_of_axis(angle: Any, u: Vector) -> Tensor:
 @pytest.mark.parametrize("n", [1, 2, 5])
 def test_tangent_operators_are_differentials(n: int, real: bool, draw: Draw, gap: Gap) -> None:
     v = draw().re if real else draw()
-    found = first_principles.tangent(lambda at: closed_forms.tensor(n, at.dot(at)).tensor(at), v)
-    assert gap(found, closed_forms.tangent(n, v.dot(v)).tensor(v)) < TINY
+    found = first_principles.tangent(lambda at: cayley_scalars.tensor(n, at.dot(at)).tensor(at), v)
+    assert gap(found, cayley_scalars.tangent(n, v.dot(v)).tensor(v)) < TINY
 
 
 @pytest.mark.parametrize("real", [False, True])
@@ -81,6 +82,6 @@ def test_exponentials_of_quaternions_turn_by_twice_the_vector(size: int, draw: D
 
 def test_singular_compositions_raise() -> None:
     e = Vector.dual([Fraction(1), Fraction(0), Fraction(0)], [Fraction(0)] * 3)
-    for closed_form in (rodrigues.compose_first_order, rodrigues.compose_second_order):
+    for closed_form in (evaluation.compose_first_order, evaluation.compose_second_order):
         with pytest.raises(ZeroDivisorError, match="zero divisor"):
             closed_form(e, e)

@@ -11,13 +11,11 @@ from derive.algebra import Dual, Quaternion, Vector, functions
 from derive.algebra.arithmetic import PLAIN
 from derive.algebra.pose import Screw
 from derive.codegen.lowering.scalar_programs import scalar_programs
-from derive.maps import Cayley, closed_forms, family, parameterization
+from derive.maps import Cayley, cayley_scalars, family, parameterization
 from derive.maps.any_phi.expressions import parsed
-from derive.maps.any_phi.parameterization import recognized
-from derive.maps.elementary import evaluate
-from derive.maps.families import alpha
+from derive.maps.elementary import alpha, evaluate
 from derive.maps.multiple import POWERS
-from derive.maps.named import described
+from derive.maps.named import described, recognized
 from derive.proof import prove
 from derive.proof.scalars import _volume
 
@@ -165,7 +163,7 @@ def test_scale_belongs_to_the_parameterization(name: str, gap) -> None:
     chart, at = family(name), screw()
     a = evaluate(chart.scale, alpha, at.angle)
     w = at.axis * evaluate(chart.phi, alpha, at.angle) / a
-    s, t = closed_forms.quaternion(chart.order, w.dot(w))
+    s, t = cayley_scalars.quaternion(chart.order, w.dot(w))
     half = at.angle / 2
     assert gap(Quaternion(s, w * t), Quaternion(functions.cos(half), at.axis * functions.sin(half))) < TINY
 

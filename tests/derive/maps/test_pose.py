@@ -23,7 +23,7 @@ from derive.algebra.pose import (
     tensor_from_pose,
     tensor_from_screw,
 )  # fmt: skip
-from derive.maps import closed_forms
+from derive.maps import cayley_scalars
 
 S = sympy.Rational
 X, Y = Vector(mpmath.mpf(1), mpmath.mpf(0), mpmath.mpf(0)), Vector(mpmath.mpf(0), mpmath.mpf(1), mpmath.mpf(0))
@@ -33,7 +33,7 @@ X, Y = Vector(mpmath.mpf(1), mpmath.mpf(0), mpmath.mpf(0)), Vector(mpmath.mpf(0)
 def draw_pose(draw):
     def pose() -> Pose:
         v = draw()
-        return Pose(closed_forms.tensor(1, v.re.dot(v.re)).tensor(v.re), v.du)
+        return Pose(cayley_scalars.tensor(1, v.re.dot(v.re)).tensor(v.re), v.du)
 
     return pose
 

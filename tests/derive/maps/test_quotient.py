@@ -13,9 +13,7 @@ from derive.maps import PhiError
 from derive.maps.any_phi import intervals
 from derive.maps.any_phi.expressions import parity
 from derive.maps.any_phi.regular import order_at_zero, regular
-from derive.maps.elementary import FUNCTIONS, evaluate
-from derive.maps.families import alpha
-from derive.maps.quotient import Quotient, elementary
+from derive.maps.elementary import FUNCTIONS, Quotient, alpha, elementary, evaluate
 
 VANISHING = [
     *(function(alpha / 3) - function(alpha / 3).series(alpha, 0, 2).removeO() for name in FUNCTIONS

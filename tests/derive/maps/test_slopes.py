@@ -14,9 +14,9 @@ import sympy
 from derive.about import FAMILIES
 from derive.algebra.arithmetic import PLAIN
 from derive.codegen.catalogue import charts
-from derive.maps import stumpff
+from derive.maps import exponential
+from derive.maps.elementary import alpha
 from derive.maps.exponential import ExponentialScalars, PrincipalScalars
-from derive.maps.families import alpha
 from derive.proof.scalars import BENDS, SLOPES, VALUES
 from tests.support.sharp import Sharp
 
@@ -103,25 +103,25 @@ def exact(k: int, xi: mpmath.mpf) -> mpmath.mpf:
 def test_series_agree_with_sine_and_cosine(share: str):
     """Allow 100 times the truncation error of c₇ at a quarter of the limit."""
     with mpmath.workdps(60):
-        xi = mpmath.mpf(share) * stumpff.LIMIT
-        found = stumpff.Stumpff(xi / 4, PLAIN)
+        xi = mpmath.mpf(share) * exponential.LIMIT
+        found = exponential.Stumpff(xi / 4, PLAIN)
         for k in range(8):
-            assert abs(getattr(found, f"C{k}") - exact(k, xi / 4)) <= 100 * stumpff.REMAINDER
+            assert abs(getattr(found, f"C{k}") - exact(k, xi / 4)) <= 100 * exponential.REMAINDER
         for k in range(3, 8):
-            assert abs(getattr(found, f"c{k}") - exact(k, xi)) <= 100 * stumpff.REMAINDER
+            assert abs(getattr(found, f"c{k}") - exact(k, xi)) <= 100 * exponential.REMAINDER
 
 
 def test_truncation_error_is_the_bound():
     with mpmath.workdps(60):
-        zeta = mpmath.mpf(stumpff.LIMIT) / 4
-        miss = abs(stumpff.series(zeta, PLAIN) - exact(7, zeta))
-        assert stumpff.REMAINDER / 2 < miss < stumpff.REMAINDER
+        zeta = mpmath.mpf(exponential.LIMIT) / 4
+        miss = abs(exponential.series(zeta, PLAIN) - exact(7, zeta))
+        assert exponential.REMAINDER / 2 < miss < exponential.REMAINDER
 
 
 def test_number_of_terms_is_the_least_for_long_doubles():
     """Expect a truncation error of ``7! c₇`` ≈ 1 below eps, and above eps with one term fewer."""
-    share = 5040 * stumpff.REMAINDER
-    one_less = share * (2 * stumpff.TERMS + 6) * (2 * stumpff.TERMS + 7) / (stumpff.LIMIT / 4)
+    share = 5040 * exponential.REMAINDER
+    one_less = share * (2 * exponential.TERMS + 6) * (2 * exponential.TERMS + 7) / (exponential.LIMIT / 4)
     assert share < 2.0**-63 < one_less
 
 

@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 
 from derive.output import RefusedError, compare, write
-from derive.output.exchange import LEFTOVERS
+from derive.output.files import LEFTOVERS
 from tests.support.staying import until
 
 ROOT = Path(__file__).parents[3]
@@ -115,7 +115,7 @@ def test_failure_between_moves_is_reported_as_half_written(tmp_path, monkeypatch
 
 HOLD = """
 import sys, time, pathlib
-from derive.output.exchange import locked
+from derive.output.files import locked
 with locked(pathlib.Path(sys.argv[1])):
     print("held", flush=True)
     time.sleep(600)
@@ -162,7 +162,7 @@ def test_files_that_appear_during_a_wait_are_checked(tmp_path):
 MANY = """
 import sys, pathlib
 from derive.output import write
-from derive.output.exchange import locked
+from derive.output.files import locked
 folder, own = pathlib.Path(sys.argv[1]), sys.argv[2]
 for n in range(20):
     texts = {f"{i}.py": f"# python -m derive generate\\n{own} {n}\\n" for i in range(8)}

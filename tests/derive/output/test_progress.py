@@ -14,8 +14,8 @@ from nbclient import NotebookClient
 from rich.progress import Progress, TaskID
 
 import derive
-from derive.output import progress
-from derive.output.tables import WIDTH, Column, Grid, columns
+from derive.output import shown
+from derive.output.shown import WIDTH, Column, Grid, columns
 
 
 class Terminal(io.StringIO):
@@ -29,7 +29,7 @@ def on_terminal(monkeypatch: pytest.MonkeyPatch, after: float) -> Terminal:
     """Put a terminal in place of stderr, and let bars appear after some seconds."""
     terminal = Terminal()
     monkeypatch.setattr(sys, "stderr", terminal)
-    monkeypatch.setattr(progress, "BAR_AFTER", after)
+    monkeypatch.setattr(shown, "BAR_AFTER", after)
     monkeypatch.delenv("TTY_INTERACTIVE", raising=False)
     monkeypatch.setenv("TERM", "xterm")
     return terminal
@@ -37,7 +37,7 @@ def on_terminal(monkeypatch: pytest.MonkeyPatch, after: float) -> Terminal:
 
 def long_work() -> None:
     """Report two of three steps, the second one when any bar has appeared."""
-    with progress.bar(3) as step:
+    with shown.bar(3) as step:
         step("first")
         for thread in threading.enumerate():
             if isinstance(thread, threading.Timer):
@@ -56,7 +56,7 @@ def test_bar_appears_after_a_while_and_goes(monkeypatch: pytest.MonkeyPatch) -> 
 
 def test_short_work_has_no_bar(monkeypatch: pytest.MonkeyPatch) -> None:
     terminal = on_terminal(monkeypatch, 3600.0)
-    with progress.bar(3) as step:
+    with shown.bar(3) as step:
         step("first")
     assert terminal.getvalue() == ""
 
@@ -116,16 +116,16 @@ def test_bar_can_be_switched_off(variable: str, monkeypatch: pytest.MonkeyPatch)
 
 
 def test_pipe_has_no_bar(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
-    monkeypatch.setattr(progress, "BAR_AFTER", 0.1)
+    monkeypatch.setattr(shown, "BAR_AFTER", 0.1)
     long_work()
     assert capsys.readouterr().err == ""
 
 
 CELL = """
-from derive.output import progress
+from derive.output import shown
 import threading
-progress.BAR_AFTER = 0.1
-with progress.bar(3) as step:
+shown.BAR_AFTER = 0.1
+with shown.bar(3) as step:
     step("first")
     for thread in threading.enumerate():
         if isinstance(thread, threading.Timer):

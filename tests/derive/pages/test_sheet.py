@@ -21,8 +21,8 @@ from derive.pages import sheet, sheet_files
 from derive.pages.sheet_files import FLAGS, pieces
 from derive.proof import ProofFailed
 from derive.proof.identity import Proof
+from derive.proof.methods import decided
 from derive.proof.proved import CLAIMS
-from derive.proof.theorem import decided
 from docs._ext import sheet as site
 from tests.support import browsers
 from tests.support.command import ROOT, dualcay

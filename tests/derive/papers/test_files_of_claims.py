@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 import derive
-from derive.claims.language.abbreviations import ClaimError
+from derive.claims.language.names import ClaimError
 from derive.claims.report import FORMATS, Report
 from derive.claims.result import Result, Status
 from derive.claims.run import check_sheets

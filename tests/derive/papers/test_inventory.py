@@ -10,8 +10,7 @@ from itertools import pairwise
 import pytest
 
 from derive.claims.equation import Paper
-from derive.papers import PAPERS, verify
-from derive.papers.package import Package
+from derive.papers import PAPERS, Package, verify
 from tests.support.imports import ROOT, sources
 
 pytestmark = pytest.mark.smoke

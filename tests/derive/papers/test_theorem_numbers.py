@@ -13,17 +13,17 @@ import sympy
 
 from derive.claims.equation import Entry
 from derive.claims.language.printed import Apply, Number, Symbol, Term, walk
-from derive.maps import Cayley, closed_forms
+from derive.maps import Cayley, cayley_scalars
 from derive.maps.cayley import EQUATIONS
 from derive.papers import PAPERS
-from derive.proof import formulas
+from derive.proof import evaluation
 from derive.proof import notation as m
+from derive.proof.calculus_theorems import GROWING_ORDER
 from derive.proof.components import STATEMENTS
 from derive.proof.displacement_theorems import CLOSED_AT
-from derive.proof.limit_theorems import GROWING_ORDER
+from derive.proof.identity import Equation
 from derive.proof.phi_theorems import ANY_PHI
 from derive.proof.proved import STATED
-from derive.proof.statement import Equation
 
 SYMBOLS = {
     "R": m.R, "I": m.I, "v": m.v, "n": m.n, "q": m.q_hat, "p_n": m.p, "q_n": m.q,
@@ -191,7 +191,7 @@ def test_numbers_of_maps_match_entries(name: str, n: int) -> None:
     assert list(EQUATIONS[name]) == general
 
 
-WRITTEN = [getattr(at, name) for at in (closed_forms, formulas) for name in QUANTITIES if hasattr(at, name)]
+WRITTEN = [getattr(at, name) for at in (cayley_scalars, evaluation) for name in QUANTITIES if hasattr(at, name)]
 
 
 @pytest.mark.parametrize("function", WRITTEN, ids=lambda function: f"{function.__module__}.{function.__name__}")

@@ -9,10 +9,10 @@ import sympy
 
 from derive.algebra.element import Element
 from derive.proof.coefficients import BINOMIAL, NotDecidedError, Series, _written_out, _zero, residue
-from derive.proof.differential_ring import DifferentialRing
+from derive.proof.identity import definition
 from derive.proof.notation import Shifted, dot, j, n, p, q, v, x
+from derive.proof.rings import DifferentialRing
 from derive.proof.setting import Setting, Symbols
-from derive.proof.statement import definition
 
 B = sympy.binomial
 

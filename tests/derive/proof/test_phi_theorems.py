@@ -12,13 +12,13 @@ import sympy
 from derive.algebra import Isotropic, Tensor, Vector
 from derive.algebra.arithmetic import PLAIN
 from derive.maps import Cayley, family, x
-from derive.maps.families import alpha
+from derive.maps.elementary import alpha
 from derive.proof import ProofFailed, prove, root_of, scalars
+from derive.proof.calculus_theorems import GROWING_ORDER
 from derive.proof.displacement_theorems import DOUBLE_ANGLE, EXPONENTIAL, VERSOR_EXPONENTIAL
-from derive.proof.limit_theorems import GROWING_ORDER
+from derive.proof.methods import decided
 from derive.proof.phi_theorems import ANY_PHI, any_phi
 from derive.proof.scalars import ScalarProofs, _at_origin
-from derive.proof.theorem import decided
 from docs.pages.controls import controls, controls_of
 
 

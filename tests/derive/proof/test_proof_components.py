@@ -11,10 +11,9 @@ import sympy
 from derive.maps import Cayley, polynomials
 from derive.proof import notation as m
 from derive.proof.at_order import FUNCTIONS, SYMBOLS, computations, instances
-from derive.proof.at_point import AtPoint
 from derive.proof.components import ROTATED, STATEMENTS, Components
-from derive.proof.identity import Multiplier
-from derive.proof.statement import Equation
+from derive.proof.evaluation import AtPoint
+from derive.proof.identity import Equation, Multiplier
 from docs.pages.controls import controls_at, controls_of
 
 

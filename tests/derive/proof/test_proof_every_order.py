@@ -6,16 +6,15 @@ from typing import Any
 import pytest
 import sympy
 
-from derive.algebra import cayley_pairs
+from derive.algebra import arithmetic
 from derive.maps import Cayley
-from derive.proof import citing, formulas, theorems
+from derive.proof import citing, evaluation, theorems
 from derive.proof.displacement_theorems import CLOSED_AT, DOUBLE_ANGLE, EXPONENTIAL
-from derive.proof.identity import ALL_ORDERS
+from derive.proof.identity import ALL_ORDERS, Equation, definition
+from derive.proof.map_theorems import BRACKET_SUMS, POWERS, SLOPES, SUMS
+from derive.proof.methods import Theorem, decided
 from derive.proof.notation import I, R, alpha, dcay, dcay_inv, det, n, p, q, skew, u, v, x
-from derive.proof.polynomial_theorems import BRACKET_SUMS, POWERS, SLOPES, SUMS
 from derive.proof.proved import STATED
-from derive.proof.statement import Equation, definition
-from derive.proof.theorem import Theorem, decided
 from docs.pages.controls import controls
 from tests.support.theorems import known
 
@@ -61,7 +60,7 @@ def test_closed_forms_of_low_orders() -> None:
      ("tangent", 2, "sign"), ("tangent_inv", 1, "factor"), ("tangent_inv", 2, "sign")],
 )  # fmt: skip
 def test_a_wrong_coefficient_fails(name: str, index: int, change: str) -> None:
-    right = getattr(formulas, name)
+    right = getattr(evaluation, name)
 
     def wrong(n: Any, x: Any, p: Any, q: Any) -> tuple[Any, ...]:
         coefficients = list(right(n, x, p, q))
@@ -69,7 +68,7 @@ def test_a_wrong_coefficient_fails(name: str, index: int, change: str) -> None:
         return tuple(coefficients)
 
     symbol = {"tensor": R, "tangent": dcay, "tangent_inv": dcay_inv}[name]
-    before, after = (formulas.defined(symbol, formula) for formula in (right, wrong))
+    before, after = (evaluation.defined(symbol, formula) for formula in (right, wrong))
     altered = [
         replace(t, premises=tuple(after if e.equation.right == before.equation.right else e for e in t.premises))
         for t in STATED
@@ -90,7 +89,7 @@ def test_printed_claim_is_decided() -> None:
 def test_a_wrong_recurrence_fails() -> None:
     def with_recurrence(found: Theorem) -> Theorem:
         wrong = tuple(
-            definition(e.left, p + x * q) if e.right == cayley_pairs.following((p, q), x)[0] else premise
+            definition(e.left, p + x * q) if e.right == arithmetic.following((p, q), x)[0] else premise
             for premise in found.premises
             for e in (premise.equation,)
         )

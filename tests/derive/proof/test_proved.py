@@ -13,17 +13,17 @@ import sympy
 from latex2mathml.converter import convert
 
 from derive.codegen.build import print_package
-from derive.codegen.lowering.scalar_programs import FORMULAS
+from derive.codegen.lowering.scalar_programs import SCALARS
 from derive.codegen.targets import TARGETS
 from derive.codegen.targets.python import formula_of
 from derive.maps import Cayley, cayley, family, parameterization, x
 from derive.maps.chart import Chart
 from derive.maps.chart_formulas import DEFINITIONS, IDENTITIES
 from derive.proof import ProofFailed, Proved, proofs, prove, shown, theorems
-from derive.proof.identity import Check, Multiplier, Proof, decide
+from derive.proof.identity import Check, Equation, Multiplier, Premise, Proof, decide, definition
 from derive.proof.notation import n, p, q
-from derive.proof.statement import Equation, Premise, definition
-from derive.proof.texts import MARKED, compared, shown_with
+from derive.proof.proved import MARKED, compared, shown_with
+from docs.pages.controls import variants
 
 
 def test_prove_returns_chart_and_proofs() -> None:
@@ -66,7 +66,7 @@ def test_statements_are_typeset() -> None:
     for proof in proofs(Cayley(2)):
         assert "<math" in convert(proof.latex)
         assert proof.latex.count("{") == proof.latex.count("}")
-        assert not re.search(r"(?<![\\a-z{])(point|along|vector|scalar)", proof.latex)
+        assert not re.search(r"(?<![\\a-z{])(?<!\\_)(point|along|vector|scalar)", proof.latex)
 
 
 # --- decisions of identities ------------------------------------------------------------------------------------------
@@ -123,7 +123,7 @@ def test_altered_equations_differ() -> None:
     equation = Equation(p, 2 * q + 3, (4,))
     assert str(equation.altered()) == "p_n = 6 + 4*q_n"
     assert equation.altered().numbers == ()
-    assert sorted(map(str, equation.variants())) == ["p_n = 3 + 3*q_n", "p_n = 4 + 2*q_n", "p_n = 6 + 4*q_n"]
+    assert sorted(map(str, variants(equation))) == ["p_n = 3 + 3*q_n", "p_n = 4 + 2*q_n", "p_n = 6 + 4*q_n"]
     assert str(Equation(p, sympy.Integer(0)).altered()) == "p_n = 1"
     assert str(Premise(equation, "sum", ((q, x),))) == "p_n = 3 + 2*q_n (theorem 'sum' at q_n -> x)"
 
@@ -153,7 +153,7 @@ def _texts() -> Iterator[tuple[str, Cayley | None]]:
     yield from ((text, four) for of in maps for text in (f"{of.symbol} = {of.definition}", *of.identities))
     yield from ((text, None) for texts in IDENTITIES.values() for text in texts)
     yield from ((text, None) for text in DEFINITIONS.values())
-    for general, of_order, _ in FORMULAS.values():
+    for general, of_order in ((row.every, row.of_order) for row in SCALARS.values()):
         yield from ((text, None) for text in MARKED.findall(general))
         yield from ((text, four) for text in MARKED.findall(of_order))
 
@@ -209,10 +209,10 @@ def test_generation_refuses_a_wrong_comment(
     scalar: str, right: str, wrong: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Alter the formulas above scalar programs; a and b are p and q up to order 8 only."""
-    general, of_order, maps = FORMULAS[scalar]
-    assert right in general + of_order
-    altered = general.replace(right, wrong), of_order.replace(right, wrong), maps
-    monkeypatch.setitem(cast(dict[str, Any], FORMULAS), scalar, altered)
+    row = SCALARS[scalar]
+    assert right in row.every + row.of_order
+    altered = replace(row, every=row.every.replace(right, wrong), of_order=row.of_order.replace(right, wrong))
+    monkeypatch.setitem(cast(dict[str, Any], SCALARS), scalar, altered)
     with pytest.raises(ProofFailed, match="not proved: "):
         print_package([Cayley(9)], TARGETS["numpy"])
 

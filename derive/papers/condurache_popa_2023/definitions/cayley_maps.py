@@ -8,15 +8,15 @@ from typing import Any
 
 from ....algebra import Quaternion, Tensor, Vector, first_principles, real_part
 from ....claims.language import values
-from ....claims.language.common_definitions import condition
 from ....claims.language.environment import Env
-from ....claims.numbers.every_order import EveryOrder
 from ....claims.numbers.fields import UndefinedError, innermost
+from ....claims.numbers.generic import EveryOrder
 from ....maps import Cayley
 from ....maps.chart import Chart
+from ....maps.elementary import alpha as angle_of_phi
 from ....maps.elementary import evaluate
-from ....maps.families import alpha as angle_of_phi
 from ....proof.proved import citing
+from .dual_algebra import condition
 from .motions import half_angle
 from .orders import cayley
 
@@ -97,7 +97,6 @@ def branch(env: Env, n: Any, k: int, alpha: Any, u: Vector) -> Any:
 
 
 def constant(env: Env, value: Any) -> Callable[[Any], Any]:
-    """Return a constant function of v with this value."""
     return lambda argument: value
 
 
@@ -118,7 +117,6 @@ def modified_root(env: Env, n: Any, a: Any, v: Vector) -> Any:
 
 
 def modified_tensor(env: Env, n: Any, a: Any, v: Vector) -> Tensor:
-    """Return the orthogonal dual tensor of (59), computed from its quaternion."""
     return first_principles.tensor_by_sandwich(modified(env, n, a, v))
 
 

@@ -6,12 +6,12 @@ from collections.abc import Callable
 from typing import Any
 
 from ....algebra import Dual, Quaternion, Tensor, Vector, first_principles, real_part
-from ....algebra.exponentials import tensor_exponential
+from ....algebra.first_principles import tensor_exponential
 from ....claims.language import values
-from ....claims.language.common_definitions import condition, screw_quaternion, screw_tensor
 from ....claims.language.environment import Env
 from ....claims.numbers.fields import UndefinedError
 from . import dual_algebra, motions
+from .dual_algebra import condition, screw_quaternion, screw_tensor
 
 
 def polynomial(which: int, step: int = 0) -> Callable[[Env, Any], Callable[[Any], Any]]:
@@ -58,7 +58,6 @@ def as_vector(env: Env, a: Vector | Quaternion) -> Vector:
 
 
 def at_order(order: int, function: Callable[..., Any]) -> Callable[..., Any]:
-    """Return a definition with its order fixed."""
     return lambda env, *arguments: function(env, order, *arguments)
 
 

@@ -5,7 +5,7 @@ from typing import Any
 
 from ....algebra import Dual, Tensor, Vector, first_principles
 from ....algebra.pose import line_through
-from ..definitions import velocities
+from ..definitions import motions
 from . import *
 
 R_t = Symbol("R(t)", "orthogonal tensor", r"\underline{\mathbf{R}}(t)", "Rt")
@@ -28,17 +28,17 @@ half_sine = Symbol("sin α/2", "number", r"\sin\frac{\underline{\alpha}}{2}", "s
 
 ZERO = let(zero_tensor, lambda env: Tensor.identity() * 0)
 MOTION = (
-    let(R, screw_tensor, alpha, u), let(q_hat, screw_quaternion, alpha, u), let(omega, velocities.twist, R),
-    let(omega_B, velocities.body_twist, R), let(skew_B, skew_of, omega_B),
-    let(line_0, velocities.at_rest, free_line), let(line, image, R, line_0),
+    let(R, screw_tensor, alpha, u), let(q_hat, screw_quaternion, alpha, u), let(omega, motions.twist, R),
+    let(omega_B, motions.body_twist, R), let(skew_B, skew_of, omega_B),
+    let(line_0, motions.at_rest, free_line), let(line, image, R, line_0),
     ZERO, let(Theta, lambda env, alpha, u: first_principles.axis_rates(
         partial(screw_tensor, env), env.now(alpha), env.now(u)), alpha, u),
-    let(half_sine, velocities.half_sine, alpha),
+    let(half_sine, motions.half_sine, alpha),
 )
 PARTS = (
-    let(R, screw_tensor, alpha, u), let(omega, velocities.twist, R), let(Q, velocities.rotation_part, R),
+    let(R, screw_tensor, alpha, u), let(omega, motions.twist, R), let(Q, motions.rotation_part, R),
     let(rho, lambda env, R, Q: (R.map(lambda c: Dual(c.du, 0 * c.du)) @ Q.transpose).vect(), R, Q),
-    let(w_real, velocities.twist, Q), let(v_real, velocities.velocity_at_origin, Q, rho),
+    let(w_real, motions.twist, Q), let(v_real, motions.velocity_at_origin, Q, rho),
 )
 
 
@@ -57,15 +57,15 @@ Theta_read = -(half * (skew(u) + cot(half * alpha) * skew(u)**2))
 
 ENTRIES = (
     equation("66", equal(line_t, R_t * line_0),
-             where=(let(line_t, velocities.moved_line, R_t, point, along),
+             where=(let(line_t, motions.moved_line, R_t, point, along),
                     let(line_0, plain(line_through), point, along))),
     equation("67", equal(rate(line), Phi * line), where=(*MOTION, let(Phi, skew_of, omega))),
-    equation("68", equal(Phi, rate(R) * transpose(R)), where=(*MOTION, let(Phi, velocities.velocity_tensor, R))),
+    equation("68", equal(Phi, rate(R) * transpose(R)), where=(*MOTION, let(Phi, motions.velocity_tensor, R))),
     equation("velocity-tensor-sum", equal(rate(R) * transpose(R) + R * transpose(rate(R)), zero_tensor), where=MOTION),
     equation("velocity-tensor-skew", equal(Phi, -transpose(Phi)),
              where=(*MOTION, let(Phi, lambda env, R: env.rate(R) @ R.transpose, R)), moving=True),
     equation("dual-angular-velocity", equal(omega, vect(rate(R) * transpose(R))),
-             where=(let(R, screw_tensor, alpha, u), let(omega, velocities.angular_velocity, R))),
+             where=(let(R, screw_tensor, alpha, u), let(omega, motions.angular_velocity, R))),
     equation("69", equal(omega, w_real + epsilon * v_real), where=PARTS, moving=True),
     equation("velocity-at-origin", equal(v_real, rate(rho) - cross(w_real, rho)), where=PARTS),
     equation("70", equal(rate(R), skew(omega) * R), where=MOTION),

@@ -1,9 +1,9 @@
 """Section 8, tangent operators of the exponential and of the Cayley maps of order n: lines 388-412."""
 
 from ....algebra import first_principles, real_part
-from ....algebra.exponentials import tensor_exponential
+from ....algebra.first_principles import tensor_exponential
 from ....claims.numbers.fields import innermost
-from ..definitions import orders, velocities
+from ..definitions import motions, orders
 from ..definitions.cayley_maps import proved
 from . import *
 from .general_order import *
@@ -25,13 +25,13 @@ dcay_inv = Symbol("dcay_n⁻¹", "tensor", r"\mathrm{dcay}_n^{-1}", "dcayn-1")
 dcay_inv_T = Symbol("dcay_n⁻ᵀ", "tensor", r"\mathrm{dcay}_n^{-T}", "dcayn-T")
 q_now = Symbol("q_n now", "number", r"q_n\left(\left|\underline{\mathbf{v}}\right|\right)", "qnv")
 
-TWISTS = (let(omega, velocities.twist, R), let(omega_B, velocities.body_twist, R))
+TWISTS = (let(omega, motions.twist, R), let(omega_B, motions.body_twist, R))
 EXPONENTIAL = (
-    let(a, multiple, alpha, u), let(R, screw_tensor, alpha, u), *TWISTS, let(sinc, velocities.sinc),
+    let(a, multiple, alpha, u), let(R, screw_tensor, alpha, u), *TWISTS, let(sinc, motions.sinc),
     let(dexp, lambda env, a: first_principles.tangent(lambda w: tensor_exponential(w, env.field), env.now(a)), a),
     let(dexp_inv, inverse_of, dexp), let(dexp_T, transpose_of, dexp), let(dexp_inv_T, transpose_of, dexp_inv),
     let(invertible, lambda env, T: not env.field.same(innermost(real_part(T.det())), 0), dexp),
-    let(half_sinc, lambda env, alpha: velocities.sinc(env)(values.divide(env.now(alpha), 2)), alpha),
+    let(half_sinc, lambda env, alpha: motions.sinc(env)(values.divide(env.now(alpha), 2)), alpha),
 )
 full_turn = nonzero(Re(half_sinc))
 
@@ -50,7 +50,7 @@ ENTRIES = (
     equation("sinc",
              equal(sinc(angle),
                    cases((sin(angle) / angle, provided(nonzero(Re(angle)))), (1, provided(zero(Re(angle)))))),
-             where=(let(sinc, velocities.sinc_by_series),)),
+             where=(let(sinc, motions.sinc_by_series),)),
     equation("83", equal(rate(a), dexp_inv * omega), where=EXPONENTIAL, condition=full_turn),
     equation("dexp-inverse-domain", implies(nonzero(Re(norm(a) - 2 * pi)), invertible), where=EXPONENTIAL,
              corrected=iff(full_turn, invertible)),

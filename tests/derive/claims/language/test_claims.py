@@ -9,13 +9,12 @@ import pytest
 import sympy
 
 from derive.algebra import Quaternion, matrix
-from derive.claims.language.abbreviations import Abbreviation, ClaimError, Scope, expanded
 from derive.claims.language.claims import statement
 from derive.claims.language.environment import Env
-from derive.claims.language.kinds import LETTERS, letter
-from derive.claims.language.operations import OPERATIONS
+from derive.claims.language.letters import LETTERS, letter
+from derive.claims.language.names import Abbreviation, ClaimError, Scope, expanded
+from derive.claims.language.operations import OPERATIONS, written
 from derive.claims.language.printed import Symbol
-from derive.claims.language.written import written
 from derive.claims.numbers.balls import Balls, precision
 from derive.claims.numbers.kinds import KINDS
 from derive.claims.numbers.series import SeriesField

@@ -7,7 +7,6 @@ import pytest
 from derive.algebra import Dual, Tensor, Vector
 from derive.algebra.pose import Pose
 from derive.claims.language import values
-from derive.claims.language.common_definitions import condition
 from derive.claims.language.environment import Env
 from derive.claims.language.matrices import exp
 from derive.claims.language.operator_table import Re, cos, epsilon, equal, implies, nonzero, norm, sin, tan, tan2
@@ -16,6 +15,7 @@ from derive.claims.numbers.balls import Balls
 from derive.claims.numbers.kinds import KINDS, QUANTITIES
 from derive.papers import PAPERS
 from derive.papers.condurache_popa_2023.cp23_notation import is_algebraic
+from derive.papers.condurache_popa_2023.definitions.dual_algebra import condition
 from tests.mutants.statements import changed
 
 a, b, r = Symbol("a", "dual number"), Symbol("b", "dual number"), Symbol("r", "real")

@@ -8,7 +8,7 @@ import pytest
 
 from derive.algebra import Dual, Quaternion, Tensor, Vector
 from derive.algebra.element import NotExactError
-from derive.claims.numbers.every_order import EveryOrder
+from derive.claims.numbers.generic import EveryOrder
 
 FIELD = EveryOrder(["x"])
 n, X, theta, psi = FIELD.n, FIELD.X, FIELD.theta, FIELD.psi

@@ -9,8 +9,7 @@ import pytest
 from derive.algebra import Dual
 from derive.algebra.element import NotExactError
 from derive.claims.language.printed import Symbol
-from derive.claims.numbers.every_order import EveryOrder
-from derive.claims.numbers.generic import Generic
+from derive.claims.numbers.generic import EveryOrder, Generic
 from derive.claims.numbers.kinds import QUANTITIES
 
 t, v, w = (Symbol(name, "dual vector") for name in "tvw")

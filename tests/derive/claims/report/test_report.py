@@ -14,7 +14,7 @@ from rich.cells import cell_len
 
 from derive.claims.language.printed import Symbol
 from derive.claims.report import FORMATS, Report
-from derive.claims.report.pages import differing_sides, mathml
+from derive.claims.report.forms import differing_sides, mathml
 from derive.claims.report.plain import escape, plain
 from derive.claims.result import Result, Status, Verdict
 from derive.papers import PAPERS, verify

@@ -12,9 +12,8 @@ from derive.claims.equation import Entry, Reading, equation
 from derive.claims.language.operator_table import Re, equal, nonzero
 from derive.claims.language.printed import Symbol, latex
 from derive.claims.report.content import Report, command, domain, example, extent, label, place, readings, why
-from derive.claims.report.pages import notes
+from derive.claims.report.forms import as_text, notes, table
 from derive.claims.report.plain import escape, plain
-from derive.claims.report.text import as_text, table
 from derive.claims.result import Counterexample, Result, Status, Verdict
 from derive.papers import PAPERS
 

@@ -1,12 +1,21 @@
-"""Grammar of φ: numbers, ``alpha``, ``n``, ``pi``, ``+ - * / **`` and some functions; all else is refused by name."""
+"""Grammar of φ: numbers, ``alpha``, ``n``, ``pi``, ``+ - * / **`` and some functions; all else is refused by name.
+
+This module works without SymPy.
+"""
 
 from __future__ import annotations
 
 import ast
 from collections.abc import Sequence
 
-from ...claims.language.grammar import Grammar
-from ..phi_error import PhiError
+from ..claims.language.grammar import Grammar
+
+SYMBOLIC_ONLY = "its chart is symbolic only; derive.Parameterization has its formulas, dualcay compare its figures"
+
+
+class PhiError(ValueError):
+    """Error for a refused φ, with the reason."""
+
 
 FUNCTIONS = (
     "sin", "cos", "tan", "sec", "csc", "cot", "asin", "acos", "atan", "sinh", "cosh", "tanh", "asinh", "atanh",

@@ -1,7 +1,6 @@
-r"""Singular values of Re T, and the φ that keeps them nearest to 1.
+"""Search for the φ whose Re T is nearest to a rotation, for ``dualcay compare``.
 
-Along the axis the singular value is ``1/φ′``. In the plane across the axis Re T is ``f I + g skew(v)``, and the
-singular value is ``2 sin(α/2)/φ``, from ``f² + x g² = 2 g``.
+The measure is the largest of the singular values of Re T and their inverses up to an angle.
 """
 
 from __future__ import annotations
@@ -11,16 +10,13 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import partial
-from typing import TypeAlias
+from typing import Any, TypeAlias
 
-import mpmath
 import numpy as np
-import sympy
 from numpy.polynomial.polynomial import polyval
 from numpy.typing import NDArray
 
-from ..maps.elementary import evaluate
-from ..maps.families import alpha
+from derive.pages.comparison import ANGLES, Stretch
 
 POINTS = 400
 """Number of angles in the search for an extremum."""
@@ -30,37 +26,22 @@ DECIMAL_UNITS = 10**6
 Angles: TypeAlias = NDArray[np.float64]
 
 
-@dataclass(frozen=True)
-class Stretch:
-    """Value of φ and both singular values at an angle: ``1/φ′`` along the axis, ``2 sin(α/2)/φ`` across it."""
-
-    size: float
-    along: float
-    across: float
-
-    @property
-    def condition(self) -> float:
-        """Quotient of the largest and the smallest singular value."""
-        return max(self.along, self.across) / min(self.along, self.across)
-
-    @property
-    def worst(self) -> float:
-        """Largest factor between a singular value and 1."""
-        return max(self.along, self.across, 1 / self.along, 1 / self.across)
+def searched() -> dict[str, Any]:
+    """Return the number of points and the rows of the table: angle, kind, φ and its measure."""
+    rows = []
+    for name, angle in ANGLES.items():
+        rows.append([name, "any (bound)", "", f"{bound(angle):.5f}"])
+        rows += [[name, found.kind, f"`{found.phi}`", f"{found.worst:.5f}"] for found in best(angle)]
+    return {"points": POINTS, "rows": rows}
 
 
-def stretch(phi: sympy.Expr, angle: float) -> Stretch:
-    """Return φ and both singular values at an angle ≥ 0."""
-    at = mpmath.mpf(angle)
-    slope = float(mpmath.re(evaluate(phi.diff(alpha), alpha, at)))
-    if angle == 0:
-        return Stretch(0.0, 1 / slope, 1 / slope)
-    size = float(mpmath.re(evaluate(phi, alpha, at)))
-    return Stretch(size, 1 / slope, 2 * math.sin(angle / 2) / size)
+def worst(found: Stretch) -> float:
+    """Return the largest factor between a singular value and 1."""
+    return max(found.along, found.across, 1 / found.along, 1 / found.across)
 
 
 def bound(angle: float) -> float:
-    """Return ``√(A/2 / sin(A/2))``, a lower bound of `Stretch.worst` up to an angle A for every φ with φ′ > 0.
+    """Return ``√(A/2 / sin(A/2))``, a lower bound of `worst` up to an angle A for every φ with φ′ > 0.
 
     ``1/φ′ ≤ M`` gives ``φ(A) ≥ A/M``, and ``φ/(2 sin(A/2)) ≤ M`` gives ``φ(A) ≤ 2 M sin(A/2)``. Hence
     ``M² ≥ A/(2 sin(A/2))``. ``φ = α/M`` attains the bound. No φ with φ′(0) = 1 does: its slope would have to jump.
