@@ -13,6 +13,8 @@ from derive.algebra import Dual, Quaternion, Tensor, Vector, ZeroDivisorError, f
 from derive.algebra.exponentials import quaternion_exponential, tensor_exponential
 from derive.maps import closed_forms, rodrigues
 
+pytestmark = pytest.mark.usefixtures("fifty_digits")
+
 TINY = mpmath.mpf(10) ** -40
 Gap = Callable[[object, object], Any]
 Draw = Callable[..., Vector]
