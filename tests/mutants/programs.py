@@ -80,7 +80,8 @@ def changes(program: Program) -> Iterator[Changed]:
     """Yield every change of an operation, an operand, a constant or the order of outputs."""
     for index, statement in enumerate(program.statements):
         changed = _step_changes if isinstance(statement, Assignment) else _call_changes
-        for operator, other in changed(program, index, statement):  # type: ignore[operator]
+        others = changed(program, index, statement)  # type: ignore[operator]
+        for operator, other in ((operator, other) for operator, other in others if other != statement):
             statements = (*program.statements[:index], other, *program.statements[index + 1 :])
             yield operator, f"{_words(statement)} → {_words(other)}", replace(program, statements=statements)
     for i, (first, second) in enumerate(zip(program.outputs, program.outputs[1:])):

@@ -11,6 +11,7 @@ from collections.abc import Callable, Iterator, Mapping
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import replace
 from functools import partial
+from itertools import islice
 from multiprocessing import get_context
 from typing import Any
 from unittest import mock
@@ -21,12 +22,15 @@ from derive.claims.decide import decide
 from derive.claims.equation import Entry, equation
 from derive.claims.language.operator_table import Re, cross, equal, iff, implies, nonzero, zero
 from derive.claims.language.printed import Number, Symbol, Term, text
+from derive.codegen.lowered import lower_chart
 from derive.codegen.programs.program import Assignment, Program
+from derive.codegen.targets import python
+from derive.maps import Cayley, family
 from derive.papers import PAPERS
 from tests.mutants import __main__ as command
 from tests.mutants.lines import changes as line_changes
 from tests.mutants.mutant import EQUIVALENT, KILLED, SURVIVED, Mutant, Verdict, sampled, tried
-from tests.mutants.programs import changes
+from tests.mutants.programs import changes, replaced
 from tests.mutants.statements import changed, domains, evaluated, is_true, trials, true_statements
 from tests.support.staying import spin
 
@@ -55,6 +59,16 @@ def test_program_changes_are_of_operation_operand_constant_and_outputs() -> None
     }
     assert all(changed != DIFFERENCE for _, _, changed in changes(DIFFERENCE))
     assert replace(DIFFERENCE, outputs=("d", "e")) in {changed for _, _, changed in changes(DIFFERENCE)}
+
+
+@pytest.mark.parametrize("chart", [Cayley(3), family("exponential")], ids=lambda chart: chart.name)
+def test_a_changed_program_is_printed(chart: Any) -> None:
+    scalars = lower_chart(chart).scalars
+    printed = python.printed_scalars(chart, scalars)
+    for program in scalars.values():
+        for *_, mutated in islice(changes(program), 2):
+            with replaced(program, mutated):
+                assert python.printed_scalars(chart, scalars) != printed, program.name
 
 
 @pytest.mark.parametrize(
