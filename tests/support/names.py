@@ -20,7 +20,6 @@ from derive.codegen.validation.expected_values import ALGEBRAIC
 from derive.codegen.validation.inverse_maps import MAPS
 from derive.output import generated
 from derive.pages.coverage import COVERAGE
-from tests.support.calculus import CalculusTrial
 from tests.support.oracle import Oracle
 
 ROOT = Path(__file__).parents[2]
@@ -67,7 +66,6 @@ PLACES: Mapping[str, Callable[[], Iterable[str]]] = {
     "templates/c/public.h.j2: its comment": lambda: in_c(POSES),
     "derive/pages/coverage.py: the theorems on which it rests": lambda: COVERAGE,
     "tests/support/oracle.py or oracle_maps.py: its value by independent code": lambda: dir(Oracle),
-    "tests/support/accuracy.py or calculus.py: a trial": lambda: dir(CalculusTrial),
     "docs/reference/functions.md: a line": listed,
 }
 """Places with a part of every function of poses, each with the names that it has."""
