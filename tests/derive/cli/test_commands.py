@@ -21,10 +21,8 @@ from derive.claims.report import FORMATS
 from derive.cli import commands, display, options
 from derive.codegen import Difference
 from derive.codegen.package import command as header
-from derive.codegen.package import shared_texts
 from derive.codegen.targets import TARGETS
 from derive.maps import Cayley
-from derive.output import write
 from derive.papers import PAPERS
 from tests.support.command import ROOT, dualcay, in_a_process
 
@@ -70,20 +68,6 @@ def test_accepting_command_begins_as_typed(monkeypatch):
         assert options.without_check() == f"{name} generate"
 
 
-def test_a_folder_within_that_is_a_link_is_not_written_through(tmp_path: Path, monkeypatch):
-    monkeypatch.setattr("derive.codegen.build.prove", lambda chart: pytest.fail("proved in vain"))
-    folder, outside = tmp_path / "k", tmp_path / "outside"
-    folder.mkdir()
-    outside.mkdir()
-    (folder / "rotation").symlink_to(outside)
-    for force in ((), ("--force",)):
-        done = dualcay("generate", "-n", "2", "-o", str(folder), *force)
-        assert done.returncode == 3
-        assert f"a link within the folder is not followed, remove it first: {folder}/rotation\n" in done.stderr
-    assert list(outside.iterdir()) == []
-    assert [path.name for path in folder.iterdir()] == ["rotation"]
-
-
 def test_foreign_file_is_overwritten_only_if_forced(tmp_path: Path, without_validation):
     (tmp_path / "cayley2.py").write_text("mine = 1\n")
     done = dualcay("generate", "-n", "2", "-o", str(tmp_path))
@@ -125,17 +109,6 @@ def test_import_of_a_half_written_package_says_how_to_finish_it(tmp_path: Path, 
     assert dualcay(*shlex.split(command)[3:]).returncode == 0
     assert dualcay("generate", "-n", "1", "-o", str(folder), "--check").returncode == 0
     subprocess.run(load, cwd=tmp_path, check=True)
-
-
-@pytest.mark.parametrize("target", [target for target in TARGETS if target != "numpy"])
-def test_second_target_in_a_folder_is_refused_before_any_proof(tmp_path: Path, target: str, monkeypatch):
-    monkeypatch.setattr("derive.codegen.build.prove", lambda chart: pytest.fail("proved in vain"))
-    write(tmp_path, shared_texts(TARGETS["numpy"]))
-    before = {path: path.read_bytes() for path in tmp_path.rglob("*") if path.is_file()}
-    done = dualcay("generate", "-n", "1", "--target", target, "-o", str(tmp_path))
-    assert done.returncode == 3
-    assert "holds kernels of the target numpy (__init__.py), and a folder holds those of one" in done.stderr
-    assert {path: path.read_bytes() for path in tmp_path.rglob("*") if path.is_file()} == before
 
 
 def test_check_regenerates_only_modules_that_match_their_header(tmp_path: Path, without_validation):
