@@ -34,8 +34,6 @@ from tests.mutants.programs import changes, replaced
 from tests.mutants.statements import changed, domains, evaluated, is_true, trials, true_statements
 from tests.support.staying import spin
 
-pytestmark = pytest.mark.smoke
-
 STEPS = (Assignment("d", "sub", ("v1", "v2"), False), Assignment("e", "mul", (3, "d"), False))
 DIFFERENCE = Program("f", (("v", ("v1", "v2")),), STEPS, ("e", "d"))
 
@@ -44,6 +42,7 @@ def mutant(trial: Callable[[], Verdict], change: str = "") -> Mutant:
     return Mutant("place", "sign", change, trial)
 
 
+@pytest.mark.smoke
 def test_program_changes_are_of_operation_operand_constant_and_outputs() -> None:
     assert {(operator, words) for operator, words, _ in changes(DIFFERENCE)} == {
         ("operation", "d = sub(v1, v2) → d = add(v1, v2)"),
@@ -87,6 +86,7 @@ def test_line_changes_swap_a_token(line: str, changed: str) -> None:
     assert changed in {text for *_, text in line_changes(line)}
 
 
+@pytest.mark.smoke
 def test_prose_is_not_mutated() -> None:
     text = '"""One + 1."""\n# 2 * 3\nx = f("4 + 5")  # 6\n{# 7 < 8 #}\ny = a + 9\n'
     assert {line for line, *_ in line_changes(text)} == {5}
@@ -221,6 +221,7 @@ def test_mutant_is_refuted_or_meaningless_or_survives() -> None:
         assert evaluated(lambda right=mutant: is_true(entry(), equal(a + b, right))).kind == fate
 
 
+@pytest.mark.smoke
 def test_every_mutant_of_an_identity_is_refuted() -> None:
     found = fates(entry(), SQUARE)
     assert len(found) > 10
