@@ -49,6 +49,10 @@ class Array:
         return Array(self.real_name or self.name, self.real or (), parts, self.real, vector=self.vector)
 
 
+RULE, BY_TEXT = "rule", "by text, because "
+"""Decisions on derivatives under JAX and PyTorch: by a rule of the target array-api, or by text, with a reason."""
+
+
 @dataclass(frozen=True, slots=True)
 class Function:
     """Function of a kernel module."""
@@ -57,6 +61,7 @@ class Function:
     arguments: tuple[Array, ...]
     results: tuple[Array, ...]
     recipe: Recipe | None  # function that traces its program; None if it ``shares`` the program of another function
+    derivatives: str = ""  # decision on derivatives, ``RULE`` or ``BY_TEXT`` with its reason; with ``shares``, empty
     exact: bool = True  # True for an exact expected result on ring elements, False for one of 50 digits
     constants: tuple[str, ...] = ()  # components of its program's argument ``table``, if equal for all charts
     branch: bool = False  # True if a branch is the last argument

@@ -20,8 +20,6 @@ from derive.maps.named import parameterization
 from dualcay import _numbers, _runtime, orthographic, unwrap
 from tests.support import packages, sampling
 
-pytestmark = pytest.mark.smoke
-
 NAMES = (*(f"cayley{n}" for n in ORDERS), *FAMILIES)
 POLES = ("cayley1", "scaled1")  # half a turn is at infinity
 USER = {

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import ast
 import importlib
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from importlib.util import find_spec
 
@@ -12,7 +13,7 @@ from ..lowering.retraction import EXPONENTIAL
 from ..lowering.scalar_programs import SCALARS, SQUARES
 from ..lowering.slopes import slopes
 from ..package import Data, Facts
-from ..rows import Table
+from ..rows import RULE, Table
 from ..signatures import lower_chart
 from ..validation import Library
 from .python import PythonTarget, printed_scalars
@@ -51,6 +52,14 @@ class ArrayApi(PythonTarget):
     def shared(self) -> dict[str, Callable[[], Data]]:
         return super().shared() | {"_slopes.py": slopes_of_steps}
 
+    def require_complete(self, texts: Mapping[str, str]) -> None:
+        """Require, beside the functions of the table, a rule for each kernel that is said to have one, and no other."""
+        super().require_complete(texts)
+        for table in self.tables:
+            said = {name for name, row in table.kernels.items() if row.derivatives == RULE}
+            if wrong := sorted(said ^ rules_in(texts["_rules.py"])):
+                raise ValueError(f"_rules.py: its rules and the decisions of the table differ for {', '.join(wrong)}")
+
     def programs(self, facts: Facts) -> Data:
         return marked(super().programs(facts), once)
 
@@ -62,6 +71,13 @@ class ArrayApi(PythonTarget):
         """Return NumPy, and the strict reference of the standard if installed."""
         names = ("numpy", *([STRICT] if find_spec(STRICT) else []))
         return [Library(name, importlib.import_module(name).asarray, silent=False) for name in names]
+
+
+def rules_in(text: str) -> set[str]:
+    """Return the kernels in the tables of rules, RULES and JACOBIANS, of a text."""
+    found = [node for node in ast.parse(text).body if isinstance(node, ast.AnnAssign)]
+    tables = (node.value for node in found if ast.unparse(node.target) in ("RULES", "JACOBIANS"))
+    return {ast.literal_eval(key) for table in tables if isinstance(table, ast.Dict) for key in table.keys if key}
 
 
 def held(forms: str) -> str:

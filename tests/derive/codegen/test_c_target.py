@@ -309,9 +309,3 @@ def test_without_compiler_no_compiled_calls_are_reported(monkeypatch, tmp_path):
     assert re.search(r"cayley2\.h\W+\d+\W+\d+\W+0\W+-\W+-\s", result.stdout)
     assert "no C compiler found (set CC), so validated as text only" in result.stderr
     assert "cayley2.h" in result.stderr
-
-
-def test_command_requires_a_folder():
-    result = CliRunner().invoke(cli, ["generate", "-n", "2", "--target", "c"])
-    assert result.exit_code == 2
-    assert "-o" in result.stderr

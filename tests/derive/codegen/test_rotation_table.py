@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from derive.codegen import ValidationFailed, catalogue
+from derive.codegen import ValidationFailed
 from derive.codegen.build import print_package
 from derive.codegen.lowering.point import narrowed
 from derive.codegen.lowering.scalar_programs import SQUARES
@@ -90,9 +90,3 @@ def test_wrong_wiring_of_rotations_fails_replay(texts, tmp_path: Path) -> None:
     files.write(tmp_path, {**texts, INTERFACE: wrong})
     with pytest.raises(ValidationFailed, match="to_angle_axis"):
         replay(tmp_path, Cayley(1), (NUMPY,), (ROTATIONS,), geometry=True)
-
-
-@pytest.mark.parametrize("name", ["rotation", "rotation_mine"])
-def test_name_of_the_folder_of_rotations_is_reserved(name: str) -> None:
-    with pytest.raises(ValueError, match=f"'{name}' is the name of the folder of rotations"):
-        catalogue.charts(phi="alpha", name=name)
