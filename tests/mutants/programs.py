@@ -13,7 +13,7 @@ from derive.codegen import catalogue
 from derive.codegen.build import build
 from derive.codegen.programs.program import Assignment, Call, Operand, Program, Statement
 from derive.codegen.signatures import lower_chart, printed_geometry
-from derive.codegen.targets import TARGETS, python
+from derive.codegen.targets import TARGETS, expression, python
 from derive.maps import Cayley
 from derive.maps.chart import Chart
 

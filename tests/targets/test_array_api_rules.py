@@ -10,7 +10,7 @@ import pytest
 
 from derive.codegen.lowering.scalar_programs import SCALARS
 from derive.codegen.signatures import SIDES
-from derive.output import templates
+from derive.output import pages
 from tests.support import sampling
 from tests.support.libraries import LIBRARIES, QUICKLY
 
@@ -230,7 +230,7 @@ def test_jax_and_pytorch_have_the_same_functions_of_rules():
     """Compare parameters in the text, which needs neither library."""
     found = []
     for file in ("_jax.py", "_torch.py"):
-        body = ast.parse(templates.generated(f"array-api/{file}", "")).body
+        body = ast.parse(pages.generated(f"array-api/{file}", "")).body
         found.append({f.name: [a.arg for a in f.args.args] for f in body if isinstance(f, ast.FunctionDef)})
     for name in ("held", "carry", "ruled", "unruled", "derivative"):
         assert found[0][name] == found[1][name], name

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from derive.output import templates
+from derive.output import pages
 from tests.support.compilers import find
 
 pytestmark = pytest.mark.compiler
@@ -50,7 +50,7 @@ def made(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactor
     folder, dtype = tmp_path_factory.mktemp("differential"), request.param
     real = np.ctypeslib.as_ctypes_type(dtype).__name__.removeprefix("c_")
     (folder / "dualcay.h").write_text(f"#include <stddef.h>\ntypedef {real} dualcay_real;\n", encoding="utf-8")
-    (folder / "differential.h").write_text(templates.generated("c/differential.h", ""), encoding="utf-8")
+    (folder / "differential.h").write_text(pages.generated("c/differential.h", ""), encoding="utf-8")
     (folder / "differential.c").write_text(CODE, encoding="utf-8")
     library = folder / "differential.so"
     command = [find(), "-shared", "-fPIC", "-std=c99", "-o", library, folder / "differential.c", "-lm"]
