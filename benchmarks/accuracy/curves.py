@@ -21,10 +21,9 @@ from benchmarks.accuracy import peers
 from benchmarks.accuracy.measure import DIGITS, PROCESSES
 from tests.support import errors, kernels, sampling
 from tests.support.exponential import ExponentialScales, exponential, rodrigues
-from tests.support.first_principles import pack
+from tests.support.first_principles import pack, rounded
 from tests.support.nilpotent import Nil, inverse, matmul, transpose, vect
 from tests.support.oracle import oracle_of
-from tests.support.trial import rounded
 
 ORDERS = (1, 2, 3, 8)
 SAMPLES = 6

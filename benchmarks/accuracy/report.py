@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 from collections.abc import Iterable, Iterator, Sequence
 
@@ -9,15 +10,15 @@ import numpy as np
 
 from benchmarks.accuracy import certified
 from benchmarks.accuracy.curves import Drawn
-from benchmarks.accuracy.measure import COUNT, DIGITS, FEW, ORDERS, Measurement, types
-from benchmarks.accuracy.worst import PARTS, SHORT, TITLES, Rows, Worst, short_of_gate, table
-from derive.codegen.signatures import POSES, ROTATIONS
+from benchmarks.accuracy.measure import COUNT, DIGITS, ORDERS, TYPES, Measurement
+from benchmarks.accuracy.worst import SHORT, TITLES, Rows, Worst, short_of_gate, table
+from derive.codegen.signatures import POSES
 from derive.maps.cayley_scalars import HORNER_LIMIT
-from tests.support import errors, rotations
-from tests.support.calculus import CALCULUS, EVERY
+from tests.support import cases, families
 from tests.support.cases import DTYPES
 from tests.support.ranges import largest
 from tests.support.sampling import OUTSIDE, PRINCIPAL
+from tests.support.trial import PROMISED
 
 MEANING = {
     "uniform": "angle 0.05 … 3",
@@ -36,30 +37,20 @@ MEANING = {
     "shadow": "branches past the principal one, angle at least 0.2 from multiples of π",
 }
 
-DERIVED = ("tangent_dot", "twist_dot", "rate_dot", "twist_jacobian", "rate_jacobian", "cotangent_jacobian")
-DERIVATIVES = tuple(name for name in EVERY if name.removeprefix("body_") in DERIVED)
-OTHERS = tuple(name for name in CALCULUS if name not in (*DERIVATIVES, "adjoint"))
+EVERY = tuple(POSES.public)
+DERIVED = ("_dot", "twist_jacobian", "rate_jacobian", "cotangent_jacobian")
+DERIVATIVES = tuple(name for name in EVERY if name.endswith(DERIVED))
+POSE = ("pose", "tensor", "adjoint", "transform_point", "transform_line")
+TANGENT, RATE = ("tangent", "body_tangent"), ("tangent_inv", "body_tangent_inv", "rate", "body_rate")
+BACK = ("from_quaternion", "from_tensor", "from_pose", "from_screw", "from_exponential")
+KINDS = (
+    ("dual quaternion", ("quaternion",)), ("pose, and what it moves", POSE), ("tangent operator", TANGENT),
+    ("its inverse, rates", RATE), ("derivatives of T and T⁻¹", DERIVATIVES), ("vector of a pose or a screw", BACK),
+    ("all others", tuple(set(EVERY) - {"quaternion", *POSE, *TANGENT, *RATE, *DERIVATIVES, *BACK})),
+)  # fmt: skip
+"""Kinds of functions with their names."""
 
-# Gates: name, rows, and whether the gate is for the principal range.
-GATES = (
-    ("rotation Q", ("pose: Q", "tensor: Q"), True),
-    ("displacement ρ", ("pose: ρ",), True),
-    ("dual quaternion", ("quaternion",), True),
-    ("tangent operator", ("tangent",), True),
-    ("its inverse, rates", ("tangent_inv", "rate", "body_rate"), True),
-    ("round trip v → pose → v, n ≥ 2", ("round_trip",), True),
-    ("Q, ρ, dual quaternion on shadows", ("pose: Q", "pose: ρ", "tensor: Q", "quaternion"), False),
-    ("tangent operator on shadows", ("tangent",), False),
-    ("derivatives of T and T⁻¹", DERIVATIVES, True),
-    ("derivatives of T and T⁻¹ on shadows", DERIVATIVES, False),
-    ("other maps and Jacobians, of the condition", OTHERS, True),
-    ("other maps and Jacobians on shadows", OTHERS, False),
-)
-
-ROWS = {
-    POSES.name: tuple(row for name in EVERY for row in PARTS.get(name, (name,))),
-    ROTATIONS.name: tuple(ROTATIONS.sources[name].name for name in rotations.FUNCTIONS),
-}
+ROWS = {table.name: tuple(table.public) for table in cases.TABLES.values()}
 """Names of table rows, for modules of poses and of rotations."""
 
 
@@ -82,7 +73,7 @@ def gate_tables(measurements: Sequence[Measurement]) -> Iterator[str]:
     """Yield one table per kind of module, type and range."""
     rows = table(measurements)
     for kind, title in TITLES.items():
-        for dtype in types():
+        for dtype in TYPES:
             eps = float(np.finfo(DTYPES[dtype]).eps)
             for inside, where in ((True, "principal range, angle below π"), (False, "at π and beyond")):
                 found = {name: rows.get((kind, dtype, name, inside), {}) for name in ROWS[kind]}
@@ -99,13 +90,13 @@ def gate_tables(measurements: Sequence[Measurement]) -> Iterator[str]:
 
 
 # Questions, rows of the tables that answer them, and whether they are about the principal range.
-RATES = ("twist", "rate", "body_twist", "body_rate")
+TWISTS = ("twist", "rate", "body_twist", "body_rate")
 QUESTIONS = (
-    ("pose of v, below half a turn", ("pose: Q", "pose: ρ"), True),
-    ("v of its pose, below half a turn, n ≥ 2", ("round_trip",), True),
-    ("twist of a rate, rate of a twist, below half a turn", RATES, True),
-    ("pose of v, at half a turn and on shadows", ("pose: Q", "pose: ρ"), False),
-    ("twist of a rate, rate of a twist, at half a turn and on shadows", RATES, False),
+    ("pose of v, below half a turn", ("pose",), True),
+    ("v of a pose, below half a turn", ("from_pose",), True),
+    ("twist of a rate, rate of a twist, below half a turn", TWISTS, True),
+    ("pose of v, at half a turn and on shadows", ("pose",), False),
+    ("twist of a rate, rate of a twist, at half a turn and on shadows", TWISTS, False),
 )
 USUAL = 8
 """Largest order of the first table."""
@@ -118,8 +109,7 @@ def answers(rows: Rows) -> list[str]:
         cells = []
         for dtype in ("float64", "float32"):
             found = [rows.get((POSES.name, dtype, name, inside), {}) for name in names]
-            first = 2 if names == ("round_trip",) else 1
-            most = max((w.error for row in found for n, w in row.items() if first <= n <= USUAL), default=math.nan)
+            most = max((w.error for row in found for n, w in row.items() if n <= USUAL), default=math.nan)
             digits = -math.log10(most * float(np.finfo(DTYPES[dtype]).eps))
             cells.append(f"{digits:.1f} ({most:.2g} eps)")
         body.append([question, *cells])
@@ -134,17 +124,17 @@ def _scale(size: np.longdouble) -> str:
 
 
 def summary(measurements: Iterable[Measurement]) -> Iterator[str]:
-    """Yield a table with one row per gate: largest error, and error nearest to the gate, over all types and orders."""
+    """Yield a table with a row per kind of function and range: largest error, and error nearest to its gate."""
     rows = table(measurements)
     body = []
-    for title, names, inside in GATES:
+    for (title, names), inside in itertools.product(KINDS, (True, False)):
         own = [
             worst
             for (kind, _, name, side), row in rows.items()
             if kind == POSES.name and name in names and side == inside
             for worst in row.values()
-            if name != "round_trip" or worst.order > 1
         ]
+        title = title if inside else f"{title}, at π and beyond"
         largest = max(own, key=lambda w: (w.error, w.dtype, w.order))
         nearest = max(own, key=lambda w: (w.fraction, w.dtype, w.order))
         cells = [f"{w.error:.2g}, {w.row}, n = {w.order}, {w.dtype}, {w.regime}" for w in (largest, nearest)]
@@ -154,42 +144,22 @@ def summary(measurements: Iterable[Measurement]) -> Iterator[str]:
     yield from markdown(["what", "gate", "largest error (eps)", "nearest to its gate", ""], body)
 
 
-def left_out(measurements: Iterable[Measurement]) -> dict[tuple[str, int], int]:
-    """Return by type and order the number of poses skipped because powers of 1 + x overflow."""
-    counts: dict[tuple[str, int], int] = {}
-    for m in measurements:
-        if m.function == "pose" and m.left_out:
-            counts[m.dtype, m.order] = counts.get((m.dtype, m.order), 0) + m.left_out
-    return counts
-
-
 def verdict(measurements: Sequence[Measurement]) -> list[str]:
-    """Return a line per missed gate, and a line per type and order with samples out of range."""
-    lines = short_of_gate(measurements) or ["all gates are met by what is in range"]
-    for (dtype, order), count in sorted(left_out(measurements).items()):
-        lines.append(f"out of range, n = {order}, {dtype}: {count} poses on shadows overflow, results there are NaN")
-    return lines
+    """Return a line per missed gate."""
+    return short_of_gate(measurements) or ["all gates are met by what is in range"]
 
 
-def out_of_range(measurements: Sequence[Measurement]) -> Iterator[str]:
-    """Yield the section on overflow of powers of 1 + x: largest |v|, and numbers of samples skipped."""
-    counts = left_out(measurements)
+def out_of_range() -> Iterator[str]:
+    """Yield the section on overflow of powers of 1 + x: largest |v|."""
     yield "## Range"
     yield ""
     yield (
         f"Up to n = {HORNER_LIMIT} the kernels compute p² + x q² = (1 + |v|²)ⁿ in the type they are given, for larger "
         "n (1 + |v|²)⁴: they divide powers out along the way. Where that overflows, results are NaN. Below these |v| "
-        "no multiple of it overflows either. Samples beyond are left out of the tables above:"
+        "no multiple of it overflows either. Samples beyond are left out of the tables above where they are NaN."
     )
     yield ""
-    body = []
-    for dtype in types():
-        limits = []
-        for n in ORDERS:
-            size = largest(n, DTYPES[dtype])
-            left = counts.get((dtype, n), 0)
-            limits.append(_scale(size) + (f" ({left} left out)" if left else ""))
-        body.append([dtype, *limits])
+    body = [[dtype, *(_scale(largest(n, DTYPES[dtype])) for n in ORDERS)] for dtype in TYPES]
     yield from markdown(["type", *(f"n = {n}" for n in ORDERS)], body)
 
 
@@ -206,7 +176,7 @@ BESIDE = "## Beside other libraries"
 
 
 def method() -> list[str]:
-    """Return the section on arguments, norms and gates."""
+    """Return the section on arguments, sizes and gates."""
     return [
         MEASURED,
         "",
@@ -215,25 +185,22 @@ def method() -> list[str]:
         "(`benchmarks/worst_cases.json`). "
         "`make accuracy` measures, and writes this page.",
         "",
-        "<details><summary>Norms of errors, samples, and gates on shadows</summary>",
+        "Errors are in eps of the type, and of a size. The size of a real or dual part of a result is its norm, plus "
+        "the norms of its changes per relative change of every component of the arguments. A product of operators may "
+        "also be off by a rounding of each. The larger error of the parts is shown. Roundings of subnormal numbers are "
+        "not counted.",
         "",
-        "Errors are normwise, in eps of the type. That of the real part is ‖Δ‖ / ‖Re‖, that of the dual part ‖Δ‖ / "
-        "(sum of the norms of its terms); the larger is shown. For inverse maps, for shadows, and for rates outside "
-        "the principal range, these norms include the condition number from the exact Jacobian. `round_trip` is "
-        "v → pose → v.",
-        "",
-        f"Derivatives, group operations, steps, and all functions of rotations alone have {FEW} samples at some "
-        "orders. They are compared with a product of exact operators. Their errors are in eps of the product of the "
-        f"operators' norms and condition numbers. Their gate in the principal range is {errors.CONDITIONED}.",
-        "",
-        "Gates on shadows are max(16, 2n) for maps, max(40, 10n) for tangent operators and twists, and five times "
-        "that for their derivatives. Slopes fall like |v|⁻⁶ and |v|⁻⁸ for n = 2. In float32 they round to subnormal "
-        "numbers and lose digits from |v| = 1e5 on, within 4e-5 of 2π. The norms for derivatives include an allowance "
-        "for this.",
-        "",
-        "</details>",
+        f"No function may be off by more than {families.GATE} eps up to n = 8, of which some promise less: "
+        + "; ".join(promised())
+        + ". On shadows of higher orders p and q are alternating sums, and errors grow with n.",
         "",
     ]
+
+
+def promised() -> Iterator[str]:
+    """Yield the smaller gates with their functions."""
+    for size in sorted(set(PROMISED.values())):
+        yield f"{', '.join(f'`{name}`' for name, own in PROMISED.items() if own == size)} {size:g} eps"
 
 
 def page(measurements: Sequence[Measurement], figures: Drawn) -> str:
@@ -257,7 +224,7 @@ def page(measurements: Sequence[Measurement], figures: Drawn) -> str:
         "",
         *gate_tables(measurements),
         *certified.section(),
-        *out_of_range(measurements),
+        *out_of_range(),
     ]
     return beside("\n".join([*lines, BESIDE]), figures)
 

@@ -4,19 +4,13 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 from benchmarks.accuracy.measure import Measurement
 from derive.codegen.signatures import POSES, ROTATIONS
 from derive.output.pages import json_rows
 
-# Functions with a separate row and gate for each part; other functions show the larger of their two errors.
-PARTS = {
-    "pose": ("pose: Q", "pose: ρ"),
-    "tensor": ("tensor: Q", "tensor: ρ× Q"),
-    "adjoint": ("adjoint: Q", "adjoint: ρ× Q"),
-}
 SHORT = {
     "uniform": "u",
     "angle 1e-12": "a12",
@@ -59,36 +53,19 @@ class Worst:
         return f"{error} {SHORT[self.regime]}"
 
 
-def split(measurement: Measurement) -> Iterator[Worst]:
-    """Yield one error for each table row of a measurement."""
-    m = measurement
-    if m.case is None:
-        return
-    if m.table == ROTATIONS.name:
-        # Rotations have no dual parts.
-        name = ROTATIONS.sources[m.function].name
-        yield Worst(name, m.order, m.dtype, m.regime, m.errors[0], m.gates[0])
-    elif m.function in PARTS:
-        for row, error, gate in zip(PARTS[m.function], m.errors, m.gates, strict=True):
-            yield Worst(row, m.order, m.dtype, m.regime, error, gate)
-    else:
-        assert m.gates[0] == m.gates[1]
-        yield Worst(m.function, m.order, m.dtype, m.regime, max(m.errors), m.gates[0])
-
-
 Rows = dict[tuple[str, str, str, bool], dict[int, Worst]]
 
 
 def table(measurements: Iterable[Measurement]) -> Rows:
     """Return the worst errors by (table of functions, type, row, inside the principal range) and order."""
     found: Rows = {}
-    for measurement in measurements:
-        for worst in split(measurement):
-            row = found.setdefault((measurement.table, worst.dtype, worst.row, measurement.inside), {})
-            old = row.get(worst.order)
-            # Ties go to the later regime name, so that the result does not depend on the order of workers.
-            if old is None or (worst.fraction, worst.regime) > (old.fraction, old.regime):
-                row[worst.order] = worst
+    for m in measurements:
+        worst = Worst(m.function, m.order, m.dtype, m.regime, m.error, m.gate)
+        row = found.setdefault((m.table, m.dtype, m.function, m.inside), {})
+        old = row.get(m.order)
+        # Ties go to the later regime name, so that the result does not depend on the order of workers.
+        if old is None or (worst.fraction, worst.regime) > (old.fraction, old.regime):
+            row[m.order] = worst
     return found
 
 

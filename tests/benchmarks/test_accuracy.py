@@ -11,51 +11,42 @@ import pytest
 
 from benchmarks.accuracy import certified, curves, measure, report, worst
 from benchmarks.accuracy.__main__ import DOCS
-from tests.support import cases, errors, rotations, sampling
-from tests.support.accuracy import Trial
-from tests.support.calculus import EVERY
+from tests.support import cases, errors, sampling
 from tests.support.cases import DTYPES, Case
 from tests.support.kernels import load
+from tests.support.trial import Trial, gate
 
 
 @pytest.mark.parametrize("dtype", DTYPES.values(), ids=DTYPES)
 def test_arguments_are_kept_to_the_last_bit(dtype: type, tmp_path: Path) -> None:
     for regime in sampling.REGIMES:
         trial = Trial(load(3), 3, regime, dtype)
-        case = Case.of(trial, "pose", (trial.v[0],), 0.5)
+        call = next(trial.calls("from_pose"))
+        case = Case.of(trial, call, 0.5)
         cases.write([case], 7, tmp_path / "cases.json")
         kept, searched = cases.read(tmp_path / "cases.json")
         assert (kept, searched) == ([case], 7)
-        again = kept[0].trial(load(3)).v
-        assert again.dtype == dtype
-        assert again.tolist() == trial.v[:1].tolist()
+        again = kept[0].call(load(3))
+        assert (again.given[0].dtype, again.branch) == (dtype, call.branch)
+        assert again.given[0].tolist() == call.given[0].tolist()
     assert np.signbit(cases.decode(cases.encode(dtype(-0.0)), dtype))
 
 
-def test_kept_case_reproduces_its_error() -> None:
-    trial = Trial(load(3), 3, "below pi")
-    for function in ("twist", "transform_point", "compose"):
-        found = measure.measured(trial, function)
+@pytest.mark.parametrize(
+    ("table", "functions"), [("", ("twist", "transform_point", "shadow")), ("rotation", ("rate",))]
+)
+def test_kept_case_reproduces_its_error(table: str, functions: tuple[str, ...]) -> None:
+    module = load(3, table=table)
+    trials = [Trial(module, 3, regime, count=1) for regime in ("below pi", "coordinate axes")]
+    for function in functions:
+        found = measure.measured(trials, function)
         assert found is not None
-        assert found.case is not None
-        again = measure.measured(found.case.trial(load(3)), function)
-        assert again is not None
-        assert again.errors[1] > 0
-        assert max(again.errors) == pytest.approx(max(found.errors), rel=0.5)
-
-
-def test_cases_of_rotations_are_kept_apart(tmp_path: Path) -> None:
-    trial = rotations.RotationTrial(load(2, table="rotation"), 2, "shadow")
-    found = measure.measured(trial, "twist_jacobian", "rotation")
-    assert found is not None
-    assert found.case is not None
-    assert found.errors[1] == 0 < found.errors[0]
-    cases.write([found.case], 0, tmp_path / "cases.json")
-    (kept,), _ = cases.read(tmp_path / "cases.json")
-    again = measure.measured(kept.trial(load(2, table="rotation")), "twist_jacobian", kept.table)
-    assert again is not None
-    assert again.errors[0] == pytest.approx(found.errors[0], rel=0.5)
-    assert kept.key != replace(kept, table="").key
+        assert (found.table, found.case.key) == (table, (table, function, True))
+        again = found.case.call(module)
+        assert again.error(again.among()) == pytest.approx(found.error, rel=0.5)
+        every = [call.error(call.among()) for trial in trials for call in trial.calls(function)]
+        assert found.error == pytest.approx(max(every))
+        assert all(call.error(call.among()) <= call.bound() for trial in trials for call in trial.calls(function))
 
 
 def case(fraction: float, regime: str = "uniform", argument: str = "0x1p+0") -> Case:
@@ -81,31 +72,28 @@ def test_file_keeps_the_inputs_nearest_to_their_gates(tmp_path: Path) -> None:
 def measurements(scale: float) -> list[measure.Measurement]:
     """Return measurements with errors of ``scale`` times the gate, for every function in two regimes."""
     return [
-        measure.Measurement(
-            name, 2, "float64", regime, (scale * gate, 0.0), (gate, gate), case(scale, regime), 3, table
-        )
-        for table, names in (("", EVERY), ("rotation", rotations.FUNCTIONS))
-        for name in names
-        for regime, gate in (("uniform", errors.QUATERNION), ("shadow", 16))
-    ]
+        measure.Measurement(row.name, 2, "float64", regime, scale * gate(row.source), gate(row.source),
+                            case(scale, regime), table.name)
+        for table in cases.TABLES.values()
+        for row in table.public.values()
+        for regime in ("uniform", "shadow")
+    ]  # fmt: skip
 
 
 @pytest.mark.smoke
 def test_missed_gates_are_named() -> None:
     assert worst.short_of_gate(measurements(0.9)) == []
     found = worst.short_of_gate(measurements(1.1))
-    assert "quaternion, n = 2, float64, uniform: 4.4 eps, gate 4 FALLS SHORT" in found
-    assert "from_angle_axis, rotations alone, n = 2, float64, shadow: 17.6 eps, gate 16 FALLS SHORT" in found
+    assert "quaternion, n = 2, float64, uniform: 2.2 eps, gate 2 FALLS SHORT" in found
+    assert "from_angle_axis, rotations alone, n = 2, float64, shadow: 8.8 eps, gate 8 FALLS SHORT" in found
     drawn = curves.Drawn([("a.png", "A caption. More.")], ["Standing."])
     page = report.page(measurements(1.1), drawn)
     assert all(f"- {line}" in page for line in found)
-    assert "**4.4 u**" in page
-    assert "| pose of v, at half a turn and on shadows | 14.4 (18 eps) |" in page
-    assert "(6 left out)" in page
+    assert "**2.2 u**" in page
+    assert "| pose of v, at half a turn and on shadows | 14.7 (8.8 eps) |" in page
     assert "<summary>float64 (eps = 2.22e-16), rotations alone, at π and beyond</summary>" in page
-    assert "| derivatives of T and T⁻¹ | 4 | 4.4, " in page
+    assert "| derivatives of T and T⁻¹ | 8 | 8.8, " in page
     assert "![A caption](a.png)" in page
-    assert "out of range, n = 2, float64: 6 poses" in page
     assert "- all gates are met by what is in range" in report.page(measurements(0.9), curves.Drawn([], []))
     other = report.beside(page, curves.Drawn([("b.png", "Another. More.")], ["Elsewhere."]))
     assert other.partition(report.BESIDE)[0] == page.partition(report.BESIDE)[0]
@@ -117,7 +105,7 @@ def test_facts_beside_the_page_are_its_tables() -> None:
     assert worst.data(page) == (DOCS / "accuracy.json").read_text(encoding="utf-8")
     rows = json.loads(worst.data(report.page(measurements(1.1), curves.Drawn([], []))))["errors"]
     row = next(row for row in rows if row["function"] == "quaternion" and not row["beyond half a turn"])
-    assert (row["gate"], row["errors"]) == ("4", {"n = 2": [4.4, "uniform"]})
+    assert (row["gate"], row["errors"]) == ("2", {"n = 2": [2.2, "uniform"]})
 
 
 @pytest.mark.parametrize(("panel", "index"), [("small", 40), ("whole", 31), ("to pi", 20)])

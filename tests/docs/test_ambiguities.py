@@ -5,14 +5,13 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-import jax
-import jaxlie
 import numpy as np
 import pytest
 from pytransform3d import rotations, transformations
 from scipy.linalg import expm
 
 from tests.support import pages
+from tests.support.libraries import jax, jaxlie
 
 Row = dict[str, tuple[str, Any]]
 """Call as printed, and its result, by column."""

@@ -7,12 +7,12 @@ import importlib
 import re
 from typing import Any
 
-import jax
 import numpy as np
 import pytest
 
 from dualcay import rotation
 from tests.support import pages
+from tests.support.libraries import jax
 
 FOLDER = pages.ROOT / "docs" / "coming_from"
 LIBRARIES = {

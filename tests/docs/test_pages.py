@@ -12,7 +12,6 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import click
-import jax
 import pytest
 import sympy
 
@@ -29,6 +28,7 @@ from docs._ext import chart_examples, dark, function_pages, links, printed, publ
 from dualcay import cayley2
 from dualcay.rotation import cayley2 as rotation
 from tests.support import compilers, examples, packages, pages
+from tests.support.libraries import jax
 from tests.support.pages import ROOT
 
 DOCS = pages.ROOT / "docs"

@@ -7,9 +7,9 @@ from types import ModuleType
 
 import pytest
 
-from tests.support.kernels import ORDERS, load, orders
+from tests.support.kernels import LAWS, load, orders
 
-order = orders(ORDERS)
+order = orders(LAWS)
 
 
 @pytest.fixture

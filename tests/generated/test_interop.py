@@ -11,8 +11,6 @@ from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
 
-import jax
-import jaxlie
 import numpy as np
 import pytest
 import sympy
@@ -23,6 +21,7 @@ from scipy.spatial.transform import RigidTransform
 import derive
 import dualcay
 from dualcay import cayley1, cayley2, cayley3, exponential, interop, lambert, rotation, scaled2
+from tests.support.libraries import jax, jaxlie
 
 POSES = (cayley1, cayley2, cayley3, exponential, lambert, scaled2)
 ROTATIONS = tuple(getattr(rotation, name) for name in ("cayley1", "cayley2", "exponential"))

@@ -12,6 +12,7 @@ import pytest
 
 import dualcay
 from dualcay import _kernel, _runtime
+from tests.support import sampling
 from tests.support.kernels import ALIKE, orders
 from tests.support.layouts import BATCHES as BATCHES_OF_ONE
 from tests.support.layouts import require_strides_of_one_ignored
@@ -247,3 +248,14 @@ def test_screws_broadcast(kernel: ModuleType, order: int) -> None:
 def test_matrix6_names_a_wrong_shape(shape: tuple[int, ...]) -> None:
     with pytest.raises(ValueError, match=re.escape(str(shape))):
         dualcay.matrix6(np.zeros(shape))
+
+
+def test_matrix6_acts_on_twists_as_the_dual_tensor_does(order: int, kernel: ModuleType) -> None:
+    d = kernel.tangent(sampling.poses(order, "uniform", count=6).reshape(2, 3, 6))
+    m = dualcay.matrix6(d)
+    assert m.shape == (2, 3, 6, 6)
+    assert m.dtype == d.dtype
+    np.testing.assert_array_equal(m[..., :3, :3], d[..., 0, :, :])
+    np.testing.assert_array_equal(m[..., 3:, 3:], d[..., 0, :, :])
+    np.testing.assert_array_equal(m[..., 3:, :3], d[..., 1, :, :])
+    np.testing.assert_array_equal(m[..., :3, 3:], 0)

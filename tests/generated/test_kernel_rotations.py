@@ -10,7 +10,6 @@ from types import ModuleType
 
 import numpy as np
 import pytest
-from scipy.spatial.transform import Rotation
 
 import dualcay.rotation
 from derive import about
@@ -102,38 +101,6 @@ def test_rates_of_gibbs_vectors_match_the_textbooks_exactly() -> None:
     assert np.all(m.rate(SIGMA, OMEGA) == B.T @ OMEGA / 2)
     Q = identity + 2 / (1 + SIGMA @ SIGMA) * (skew(SIGMA) + skew(SIGMA) @ skew(SIGMA))
     assert np.all(m.tensor(SIGMA) == Q)
-
-
-def test_vectors_agree_with_scipy() -> None:
-    turned = Rotation.random(200, rng=7)
-    q, rotvec = turned.as_quat(scalar_first=True), turned.as_rotvec()
-    angle = turned.magnitude()
-    near = {"rtol": 1e-12, "atol": 1e-13}
-    np.testing.assert_allclose(dualcay.rotation.cayley2.from_quaternion(q), turned.as_mrp(), **near)
-    np.testing.assert_allclose(dualcay.rotation.exponential.from_quaternion(q), rotvec, **near)
-    gibbs = rotvec * (np.tan(angle / 2) / angle)[:, np.newaxis]
-    some = angle < 3  # v is infinite at π
-    np.testing.assert_allclose(dualcay.rotation.cayley1.from_quaternion(q)[some], gibbs[some], rtol=1e-11)
-    v = dualcay.rotation.cayley2.random(100, max_angle=5, rng=8)  # also beyond π
-    of_scipy = Rotation.from_mrp(v)
-    np.testing.assert_allclose(dualcay.rotation.cayley2.tensor(v), of_scipy.as_matrix(), rtol=0, atol=1e-14)
-    np.testing.assert_allclose(dualcay.rotation.cayley2.principal(v), of_scipy.as_mrp(), **near)
-    points = np.random.default_rng(9).uniform(-1, 1, (100, 3))
-    np.testing.assert_allclose(dualcay.rotation.cayley2.transform_point(v, points), of_scipy.apply(points), atol=1e-14)
-    after = Rotation.random(100, rng=10)
-    product = dualcay.rotation.cayley2.compose(after.as_mrp(), v)
-    np.testing.assert_allclose(product, (after * of_scipy).as_mrp(), **near)
-
-
-def test_mrp_rates_agree_with_central_differences() -> None:
-    """Compare with differences of SciPy's MRP; errors are the step squared, 1e-10, and rounding over the step."""
-    v, omega, step = np.array([0.2, -0.3, 0.1]), np.array([0.5, 0.7, -0.4]), 1e-5
-    here = Rotation.from_mrp(v)
-    later, sooner = ((here * Rotation.from_rotvec(s * step * omega)).as_mrp() for s in (1, -1))
-    rate = (later - sooner) / (2 * step)
-    np.testing.assert_allclose(dualcay.rotation.cayley2.body_rate(v, omega), rate, atol=1e-9)
-    later, sooner = ((Rotation.from_rotvec(s * step * omega) * here).as_mrp() for s in (1, -1))
-    np.testing.assert_allclose(dualcay.rotation.cayley2.rate(v, omega), (later - sooner) / (2 * step), atol=1e-9)
 
 
 # --- where nothing turns, and the edge ------------------------------------------------------------------------------

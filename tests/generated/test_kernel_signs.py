@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from tests.support import sampling
-from tests.support.kernels import ORDERS, load
+from tests.support.kernels import LAWS, load
 from tests.support.oracle import oracle_of
 
 pytestmark = pytest.mark.smoke
@@ -19,7 +19,7 @@ AXES = [
     [0.6, 0.8, 0], [-0.6, 0.8, 0], [0, -0.6, 0.8], [0.6, 0, -0.8], [-1 / 3, 2 / 3, -2 / 3],
 ]  # fmt: skip
 AXIS = pytest.mark.parametrize("axis", AXES, ids=str)
-FINITE = pytest.mark.parametrize("order", [n for n in ORDERS if n > 1])  # n = 1 has no vector at π
+FINITE = pytest.mark.parametrize("order", [n for n in LAWS if n > 1])  # n = 1 has no vector at π
 
 
 def half_turn(axis: np.ndarray, shift: float, moment: np.ndarray) -> np.ndarray:

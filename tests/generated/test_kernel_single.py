@@ -12,7 +12,6 @@ import pytest
 
 from derive.codegen.signatures import PUBLIC
 from dualcay import _geometry, _numbers
-from tests.support import sampling
 from tests.support.kernels import ALIKE, ORDERS, load
 from tests.support.signatures import SHAPES, SIGNATURES, assert_nearly_equal, components_last, inputs, rows_of
 
@@ -43,20 +42,6 @@ def test_single_pose_agrees_with_batches_and_lists(kernel: ModuleType, order: in
         if dtype == np.float64:
             assert_nearly_equal(function(*(a.tolist() for a in arguments)), single)
             assert_nearly_equal(function(*(tuple(a) if a.ndim == 1 else a for a in arguments)), single)
-
-
-@pytest.mark.parametrize("regime", [r for r in sampling.REGIMES if r != "at pi"])
-def test_single_pose_agrees_with_batch_in_every_regime(kernel: ModuleType, order: int, regime: str) -> None:
-    if not sampling.has_regime(order, regime):
-        regime = "uniform"
-    v = sampling.poses(order, regime)
-    of_v = dict.fromkeys(("quaternion", "tensor", "pose", "tangent", "tangent_inv", "principal", "shadow"), v)
-    for name, given in {**of_v, "from_quaternion": kernel.quaternion(v), "from_pose": kernel.pose(v)}.items():
-        for row, element in zip(given, getattr(kernel, name)(given), strict=True):
-            assert_nearly_equal(getattr(kernel, name)(row), element, 256)
-    for i, (angle, axis) in enumerate(zip(*kernel.to_screw(v), strict=True)):
-        assert_nearly_equal(kernel.to_screw(v[i])[0], angle, 256)
-        assert_nearly_equal(kernel.to_screw(v[i])[1], axis, 256)
 
 
 BRANCHED = {name for name, row in PUBLIC.items() if row.branch}

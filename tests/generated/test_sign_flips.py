@@ -9,7 +9,7 @@ import inspect
 import math
 import pickle
 import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from types import CodeType, FunctionType, SimpleNamespace
 from typing import Any
 
@@ -17,11 +17,9 @@ import numpy as np
 import pytest
 
 from dualcay import _geometry, _numbers, _runtime, cayley3
-from tests.generated import test_kernel_groups as groups
-from tests.generated import test_kernel_roundtrips as roundtrips
 from tests.generated import test_kernel_signs as rules
-from tests.generated import test_kernel_tangents as tangents
-from tests.support.accuracy import FUNCTIONS, Trial
+from tests.support import sampling
+from tests.support.trial import FUNCTIONS, Trial
 
 ORDER = 3
 REGIMES = ("uniform", "shadow", "pure translation", "below pi", "coordinate axes")
@@ -56,7 +54,8 @@ def signs(program: ast.FunctionDef) -> list[int]:
     return [
         place
         for place, node in enumerate(ast.walk(program))
-        if id(node) not in apart and isinstance(getattr(node, "op", None), ast.Add | ast.Sub | ast.USub)
+        if id(node) not in apart
+        and isinstance(getattr(node, "op", None), ast.Add | ast.Sub | ast.USub)
         and not (isinstance(node, ast.BinOp) and (nothing(node) or nothing(node.right)))
     ]
 
@@ -94,7 +93,9 @@ def kernels_with(program: ast.FunctionDef | None) -> Any:
         name: dataclasses.replace(kernel, plain=spaces[_geometry][kernel.plain.__name__])
         for name, kernel in chart.kernels.items()
     }
-    return type(cayley3.KERNELS)(chart)
+    made = type(cayley3.KERNELS)(chart)
+    public = {name: getattr(made, name) for name in cayley3.__all__ if hasattr(made, name)}
+    return SimpleNamespace(**public, CHART=chart, __name__=cayley3.__name__)
 
 
 def names_read(code: CodeType, seen: frozenset[str] = frozenset()) -> frozenset[str]:
@@ -122,6 +123,7 @@ def single_poses(monkeypatch: pytest.MonkeyPatch) -> None:
     """Run kernels pose by pose on every batch; roots of negative numbers are NaN."""
     monkeypatch.setattr(_numbers.Floats, "sqrt", staticmethod(lambda x: math.sqrt(x) if x >= 0 else math.nan))
     monkeypatch.setattr(_runtime, "POINTWISE_MAX", sys.maxsize)
+    monkeypatch.setattr(sampling, "CROWD", 1)
 
 
 def fails(check: Callable[..., None], *arguments: object) -> bool:
@@ -152,30 +154,11 @@ def seen_on_cones(kernels: Any) -> bool:
     return not np.isfinite(kernels.from_screw(np.array([1.0, 2.0]), np.hstack([axes, 0.0 * axes]))).all()
 
 
-def laws() -> Iterator[tuple[Callable[..., None], tuple[object, ...]]]:
-    """Yield laws that need no oracle: derivatives, inverses, round trips, products."""
-    yield roundtrips.test_shadows_form_a_cyclic_group, ("uniform",)
-    yield roundtrips.test_shadows_give_the_same_pose_and_the_quaternion_up_to_sign, ("pure translation",)
-    for regime in ("uniform", "shadow", "below pi", "coordinate axes"):
-        yield tangents.test_complex_steps_of_the_quaternion, (regime,)
-        yield tangents.test_complex_steps_of_the_tensor, (regime,)
-        yield tangents.test_complex_steps_of_the_pose, (regime,)
-        yield tangents.test_twist_and_rate_are_the_operators_applied_and_undo_each_other, (regime,)
-        yield tangents.test_body_twists_are_space_twists_turned_back, (regime,)
-        for route in roundtrips.ROUTES:
-            yield roundtrips.test_every_branch_gives_the_pose_back, (route, regime)
-        yield roundtrips.test_shadows_give_the_same_pose_and_the_quaternion_up_to_sign, (regime,)
-        yield groups.test_composition_is_the_product_of_tensors_v1_first, (regime,)
-
-
-def seen_by_laws(kernels: Any) -> bool:
-    return any(fails(law, kernels, ORDER, *given) for law, given in laws()) or seen_at_full_turns(kernels)
-
-
 def test_unchanged_kernels_pass() -> None:
     kernels = kernels_with(None)
     assert not seen_by_oracle(kernels, list(FUNCTIONS))
-    assert not seen_by_laws(kernels)
+    assert not seen_at_full_turns(kernels)
+    assert not seen_on_cones(kernels)
 
 
 @pytest.mark.parametrize("name", sorted(name for name in PROGRAMS if users(name)))
@@ -186,15 +169,3 @@ def test_oracle_detects_every_flipped_sign(name: str) -> None:
         if not (seen_by_oracle(kernels, users(name)) or seen_at_full_turns(kernels) or seen_on_cones(kernels)):
             unseen.append(ast.unparse(list(ast.walk(PROGRAMS[name]))[place]))
     assert not unseen
-
-
-LAWFUL = ("quaternion", "tensor", "pose", "tangent", "tangent_inv", "twist", "rate", "from_quaternion", "from_tensor",
-          "from_pose", "compose", "shadow")  # fmt: skip
-
-
-@pytest.mark.parametrize("name", LAWFUL)
-def test_laws_detect_flipped_signs(name: str) -> None:
-    places = signs(PROGRAMS[name])
-    for place in places[:: max(1, len(places) // 3)]:
-        changed = flipped(PROGRAMS[name], place)
-        assert seen_by_laws(kernels_with(changed)), ast.unparse(list(ast.walk(PROGRAMS[name]))[place])

@@ -1,7 +1,7 @@
 """Storage of the worst inputs of each kernel function, in benchmarks/worst_cases.json.
 
-A case holds function, order, type, regime (which decides the gate) and arguments. Hexadecimal arguments are the same
-numbers on every machine. Each case is tried on all branches of its function.
+A case holds function, order, type, regime and arguments. Hexadecimal arguments are the same
+numbers on every machine. Functions that choose a branch have it, too.
 """
 
 from __future__ import annotations
@@ -19,10 +19,8 @@ import numpy as np
 
 from derive.codegen.signatures import POSES, ROTATIONS
 from tests.support import sampling
-from tests.support.accuracy import Trial
-from tests.support.calculus import CalculusTrial
-from tests.support.first_principles import DIGITS
-from tests.support.rotations import RotationTrial
+from tests.support.regimes import Call
+from tests.support.trial import DIGITS, Trial
 
 FILE = Path(__file__).parents[2] / "benchmarks" / "worst_cases.json"
 DTYPES: dict[str, Any] = {"float32": np.float32, "float64": np.float64, "longdouble": np.longdouble}
@@ -30,8 +28,7 @@ KEPT = 2  # number of cases kept per function, inside and again outside the prin
 
 CASES_MAX = 190  # largest number of cases in the file; cases nearest to their gates are kept
 
-TRIALS: dict[str, type[Trial]] = {POSES.name: CalculusTrial, ROTATIONS.name: RotationTrial}
-"""Class of trials by name of the table of functions."""
+TABLES = {POSES.name: POSES, ROTATIONS.name: ROTATIONS}
 
 Key = tuple[str, str, bool]
 
@@ -67,24 +64,27 @@ class Case:
     arguments: tuple[tuple[str, ...], ...]
     fraction: float
     table: str = POSES.name
+    branch: tuple[int, ...] = ()
 
     @classmethod
-    def of(
-        cls, trial: Trial, function: str, given: tuple[np.ndarray, ...], fraction: float, table: str = POSES.name
-    ) -> Case:
-        arguments = tuple(tuple(encode(c) for c in argument) for argument in given)
-        fraction = float(f"{fraction:.3g}")
-        return cls(function, trial.order, name_of(trial.dtype), trial.regime, arguments, fraction, table)
+    def of(cls, trial: Trial, call: Call, fraction: float) -> Case:
+        arguments = tuple(tuple(map(encode, np.ravel(argument))) for argument in call.given)
+        name, fraction = call.row.name, float(f"{fraction:.3g}")
+        place = trial.order, name_of(trial.dtype), trial.regime
+        return cls(name, *place, arguments, fraction, trial.chart.table.name, call.branch)
 
     @property
     def key(self) -> Key:
-        """Key of cases that compete for storage; gates, and so keys, differ inside and outside the principal range."""
+        """Key of cases that compete for storage, inside and outside the principal range."""
         return self.table, self.function, self.regime in sampling.PRINCIPAL
 
-    def trial(self, module: ModuleType, digits: int = DIGITS) -> Trial:
-        dtype = DTYPES[self.dtype]
-        given = tuple(np.array([[decode(c, dtype) for c in a]], dtype=dtype) for a in self.arguments)
-        return TRIALS[self.table](module, self.order, self.regime, dtype, digits=digits, given=given)
+    def call(self, module: ModuleType, digits: int = DIGITS) -> Call:
+        dtype, row = DTYPES[self.dtype], TABLES[self.table].public[self.function]
+        given = tuple(
+            np.array([decode(text, dtype) for text in argument], dtype).reshape(array.shape)
+            for argument, array in zip(self.arguments, row.arguments, strict=True)
+        )
+        return Trial(module, self.order, self.regime, dtype, digits=digits).call(row, given, self.branch)
 
 
 def read(path: Path = FILE) -> tuple[list[Case], int]:
@@ -93,7 +93,11 @@ def read(path: Path = FILE) -> tuple[list[Case], int]:
         return [], 0
     content = json.loads(path.read_text(encoding="utf-8"))
     cases = [
-        Case(**{**entry, "arguments": tuple(map(tuple, entry["arguments"])), "fraction": float(entry["fraction"])})
+        Case(
+            **entry
+            | {"arguments": tuple(map(tuple, entry["arguments"])), "fraction": float(entry["fraction"])}
+            | {"branch": tuple(entry.get("branch", ()))}
+        )
         for entry in content["cases"]
     ]
     return cases, content["searched"]
@@ -104,7 +108,7 @@ def write(cases: Iterable[Case], searched: int, path: Path = FILE) -> None:
     largest = sorted(cases, key=lambda case: -case.fraction)[:CASES_MAX]
     ordered = sorted(largest, key=lambda case: (case.key, case.fraction, case.arguments))
     kept = (vars(case) | {"fraction": str(case.fraction)} for case in ordered)
-    lines = [json.dumps({name: value for name, value in entry.items() if value != ""}) for entry in kept]
+    lines = [json.dumps({name: value for name, value in entry.items() if value not in ("", ())}) for entry in kept]
     text = f'{{"searched": {searched}, "cases": [\n' + ",\n".join(lines) + "\n]}\n"
     path.write_text(text, encoding="utf-8")
 

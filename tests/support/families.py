@@ -136,7 +136,7 @@ def scale(function: Any, given: list[np.ndarray], exact: list[Any]) -> list[floa
         for index, component in np.ndenumerate(argument):
             moved = argument.astype(object)
             with mpmath.workdps(DIGITS):
-                moved[index] = mpmath.mpf(component) * (1 + step)
+                moved[index] = mpmath.mpmathify(component) * (1 + step)
             other = function(*given[:i], moved, *given[i + 1 :])
             sizes = [size + errors.norm((b - a) / step) for size, a, b in zip(sizes, exact, other, strict=True)]
     return sizes

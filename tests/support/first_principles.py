@@ -43,6 +43,12 @@ def pack(value: Any) -> np.ndarray:
     return np.stack([p.reshape(entries.shape) for p in parts])
 
 
+def rounded(exact: Any, dtype: Any) -> np.ndarray:
+    """Round mpmath numbers to the nearest floats of a type."""
+    flat = [np.longdouble(float(c)) + np.longdouble(float(c - float(c))) for c in exact.flat]
+    return np.array(flat, dtype=np.longdouble).reshape(exact.shape).astype(dtype)
+
+
 def along(v: Any, rate: Any) -> tuple[Nil, ...]:
     """Return a vector with rates as the nilpotent parts of its components."""
     return tuple(Nil(Nil(a.re, d.re), Nil(a.du, d.du)) for a, d in zip(v, rate, strict=True))

@@ -19,6 +19,9 @@ from tests.support import packages
 
 ORDERS = (1, 2, 3, 4, 5, 8)
 
+LAWS = (1, 2, 3)
+"""Orders that laws are tried with: geometry is one text, and only orders 1 and 2 have further rules of choice."""
+
 ALIKE = (5,)
 """Order that stands for all orders in tests of arrays, because call conventions do not depend on the chart, and
 generation replays every module."""

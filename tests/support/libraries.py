@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import functools
+import importlib
 from collections.abc import Callable
 from types import ModuleType
 from typing import Any
@@ -61,6 +62,19 @@ LIBRARIES: dict[str, Callable[[], Convert]] = {
 }
 
 
+class Late:
+    """Module that is imported at its first use, since JAX takes seconds in each process that collects tests."""
+
+    def __init__(self, name: str) -> None:
+        self._name = name
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(importlib.import_module(self._name), name)
+
+
+jax, jaxlie = Late("jax"), Late("jaxlie")
+
+
 def on_host(array: Any) -> np.ndarray:
     """Return an array of any library as a NumPy array, from the memory of a GPU too."""
     for copied in ("get", "cpu"):  # methods of CuPy and of PyTorch
@@ -73,29 +87,29 @@ QUICKLY = {"xla_backend_optimization_level": 0}
 
 
 @functools.cache
-def _compiled(function: Callable[..., Any], static: tuple[int, ...], optimized: bool) -> Callable[..., Any]:
+def _compiled(function: Callable[..., Any], static: tuple[int, ...]) -> Callable[..., Any]:
     """Compile a function by ``jax.jit``, once for each set of shapes and static arguments."""
     import jax
 
-    options = None if optimized else QUICKLY
-    return jax.jit(function, static_argnums=static, static_argnames="axis", compiler_options=options)
+    return jax.jit(function, static_argnums=static, static_argnames="axis", compiler_options=QUICKLY)
 
 
 class Through:
     """Kernel module that takes and returns NumPy arrays, but computes in another library."""
 
-    def __init__(self, module: ModuleType, library: str, *, optimized: bool = False) -> None:
+    def __init__(self, module: ModuleType, library: str) -> None:
         self.module, self.library, self.convert = module, library, LIBRARIES[library]()
-        self.optimized = optimized
 
-    def __getattr__(self, name: str) -> Callable[..., Any]:
+    def __getattr__(self, name: str) -> Any:
         function = getattr(self.module, name)
+        if not callable(function):
+            return function
 
         def call(*values: Any, **options: Any) -> Any:
             called = function
-            if self.library == "jax.jit":
+            if self.library == "jax.jit" and values:
                 static = tuple(i for i, v in enumerate(values) if isinstance(v, int))
-                called = _compiled(function, static, self.optimized)
+                called = _compiled(function, static)
             found = called(*(self.convert(v) if isinstance(v, np.ndarray) else v for v in values), **options)
             return tuple(map(on_host, found)) if isinstance(found, tuple) else on_host(found)
 

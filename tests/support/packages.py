@@ -11,7 +11,11 @@ from typing import Any
 import pytest
 
 ORDERS = {"array-api": (1, 2, 3, 8), "numba": (1, 2, 3, 4, 8), "c": (1, 3, 8, 16)}
-"""Orders in the packages shared by tests, by target."""
+FAMILIES = {
+    "array-api": ("breusing", "exponential", "lambert", "orthographic", "sine3", "wiener_milenkovic"),
+    **dict.fromkeys(("numba", "c"), ("exponential", "lambert")),
+}
+"""Orders and families in the packages shared by tests, by target."""
 
 EXECUTED = ("validate", "replay", "test")  # names of the members of a target that execute its text
 

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from functools import cached_property, partial
 from typing import Any
 
 import mpmath
@@ -40,26 +41,33 @@ class Call:
     given: tuple[np.ndarray, ...]
     fate: str
     violation: float = 0.0  # rounding of entries of a matrix, which is then no exact rotation
+    branch: tuple[int, ...] = ()
+    gate: float = families.GATE
+
+    def run(self, *arrays: np.ndarray) -> tuple[np.ndarray, ...]:
+        """Return the results of the function, also of batches."""
+        return _tuple(getattr(self.chart.module, self.row.name)(*arrays, *self.branch))
+
+    def among(self) -> tuple[np.ndarray, ...]:
+        """Return the results in a batch that runs recorded programs."""
+        return tuple(part[-1] for part in self.run(*(np.repeat(a[None], sampling.CROWD, axis=0) for a in self.given)))
 
     def judged(self) -> str:
         """Return why the single result or one in a batch is wrong; an empty string if both are right."""
-        function = getattr(self.chart.module, self.row.name)
-        alone = _tuple(function(*self.given))
-        crowd = _tuple(function(*(np.repeat(array[None], sampling.CROWD, axis=0) for array in self.given)))
-        among = tuple(part[-1] for part in crowd)
+        alone, among = self.run(*self.given), self.among()
         reason = self._wrong(among)
         doubles = alone[0].dtype == np.float32 and self.chart.singles_in_double
         if doubles and (self.fate == OUTSIDE or not self.row.real):  # equal to float64, rounded
-            reason = reason or self._rounded(function, alone)
+            reason = reason or self._rounded(alone)
             if self.fate == OUTSIDE and reason:  # where a root is not real, the single runs in float32 too
                 reason = self._wrong(among) or self._wrong(alone)
         elif not (reason := reason or self._wrong(alone)) and [*map(_finite, alone)] != [*map(_finite, among)]:
             reason = "" if doubles else f"single and batch are finite in other places: {alone}, {among}"
-        return f"{self.row.name}{self.given}, {self.fate}: {reason}" if reason else ""
+        return f"{self.row.name}{self.given}{self.branch}, {self.fate}: {reason}" if reason else ""
 
-    def _rounded(self, function: Any, alone: tuple[np.ndarray, ...]) -> str:
+    def _rounded(self, alone: tuple[np.ndarray, ...]) -> str:
         """Return why a single result is not that in double precision, rounded once; the range is that of doubles."""
-        doubles = _tuple(function(*(array.astype(np.float64) for array in self.given)))
+        doubles = self.run(*(array.astype(np.float64) for array in self.given))
         with np.errstate(over="ignore"):
             expected = [array.astype(np.float32) for array in doubles]
         same = all(np.array_equal(one, two, equal_nan=True) for one, two in zip(alone, expected, strict=True))
@@ -73,38 +81,67 @@ class Call:
             return "" if allowed else f"finite: {found}"
         if self.fate == SINGULAR and not all(finite):
             return ""
-        values = [self._exact(*self._doubles), *self._other_side()]
-        largest, most = max(errors.norm(part) for part in values[0]), float(np.finfo(found[0].dtype).max)
+        dtypes = {array.dtype for array in self.given} | {array.dtype for array in found}
+        if len(dtypes) > 1:
+            return f"of another type: {found}"
+        values = self._values
         if not all(finite):
-            return f"not finite: {found}" if largest < most / 8 else ""
-        if not np.isfinite(largest):
+            return f"not finite: {found}" if self._must_be_finite(found) else ""
+        if not np.isfinite(max(errors.norm(part) for part in values[0])):
             return f"finite: {found}" if any(map(_unknown, values[0])) else ""
-        got = families.parts(found if len(found) > 1 else found[0]) if self.row.pose is None else found
-        share = np.inf
-        for sizes in (_norms, self._scales):  # norms are parts of the scales, cheap, and most often enough
-            allowed = self._allowed(np.finfo(found[0].dtype), sizes(values[0]))
-            share = min(max(map(_share, got, exact, allowed)) for exact in values)
-            if share <= 1:
+        for sizes in (norms, self._scales):  # norms are parts of the scales, cheap, and most often enough
+            error = self.error(found, sizes)
+            if error <= self.gate:
                 return ""
-        return f"{share:.3g} times the allowed error: {found}, {values[0]}"
+        return f"{error:.3g} eps, allowed {self.gate}: {found}, {values[0]}"
+
+    def finite(self) -> bool:
+        """Return whether a call in a batch has a finite result, or must have one."""
+        found = self.among()
+        return self._must_be_finite(found) or all(np.isfinite(part).all() for part in found)
+
+    def _must_be_finite(self, found: tuple[np.ndarray, ...]) -> bool:
+        largest = max(errors.norm(part) for part in self._values[0])
+        return self.fate == RIGHT and largest < float(np.finfo(found[0].dtype).max) / 8
+
+    def bound(self) -> float:
+        """Return a quick upper bound of the error in a batch."""
+        return self.error(self.among(), norms)
+
+    @cached_property
+    def _values(self) -> list[list[np.ndarray]]:
+        """Return the right results: one, or those of both sides at half a turn."""
+        return [self._exact(*self.given), *self._other_side()]
+
+    def error(self, found: tuple[np.ndarray, ...], sizes: Callable[[Any], list[float]] | None = None) -> float:
+        """Return the largest error of a part, in roundings of its size, for the nearest of the right results.
+
+        Without ``sizes``, this is the norm of a part plus its changes. With `norms`, the error is larger, and quick.
+        """
+        got = families.parts(found if len(found) > 1 else found[0]) if self.row.pose is None else found
+        limits = np.finfo(found[0].dtype)
+        length = 1 + min(max(errors.norm(array) for array in self.given), 1e60)
+        lost = ROUNDINGS * float(limits.smallest_subnormal) * length**4 + NOISE * self.chart.oracle.tie**2
+        unit, scales = max(float(limits.eps), self.violation), (sizes or self._scales)(self._values[0])
+        off = ([max(0.0, _distance(*pair) - lost) for pair in zip(got, exact, strict=True)] for exact in self._values)
+        return min(max(errors.ratio(far, unit * size) for far, size in zip(one, scales, strict=True)) for one in off)
 
     def _scales(self, exact: list[np.ndarray]) -> list[float]:
         """Return the norm of each part of a result, plus its changes by rounding of arguments and factors."""
-        sizes = families.scale(self._exact, self._doubles, exact)
+        sizes = families.scale(self._exact, list(self.given), exact)
         if self.row.source in families.BY_FACTORS:
-            further = families.scale_of_factors(self.chart.oracle, self.row.source, *self._of_poses(*self._doubles))
+            further = families.scale_of_factors(self.chart.oracle, self.row.source, *self._of_poses(*self.given))
             sizes = [a + b for a, b in zip(sizes, further[:: 4 // len(sizes)], strict=True)]
+        if (any(self.branch) and self.row.source in POSES_OF) or self.row.source == "interpolate":  # rounds its angle
+            known = self.chart.oracle
+            turned = known.to_exponential(getattr(known, self.row.source)(*self._of_poses(*self.given), *self.branch))
+            moved = families.scale(partial(self._at_share, turned), [np.ones(1)], exact)
+            sizes = [a + b for a, b in zip(sizes, moved, strict=True)]
         return sizes
 
-    def _allowed(self, limits: Any, sizes: list[float]) -> list[float]:
-        """Return the largest error of each part of a result with these sizes."""
-        length = 1 + min(max(errors.norm(array) for array in self.given), 1e60)
-        lost = ROUNDINGS * float(limits.smallest_subnormal) * length**4 + NOISE * self.chart.oracle.tie**2
-        return [families.GATE * max(float(limits.eps), self.violation) * size + lost for size in sizes]
-
-    @property
-    def _doubles(self) -> list[np.ndarray]:
-        return [array.astype(np.float64) for array in self.given]
+    def _at_share(self, w: np.ndarray, share: np.ndarray) -> list[np.ndarray]:
+        known = self.chart.oracle
+        return self._parts(known.from_exponential(known.field.number(share[0]) * w))
 
     def _of_poses(self, *given: Any) -> list[Any]:
         """Return the arguments of the function of poses, with dual parts 0 for rotations."""
@@ -113,7 +150,7 @@ class Call:
         return [np.array(part, object).reshape(a.shape) for part, a in zip(embedded, arrays, strict=True)]
 
     def _exact(self, *given: Any) -> list[np.ndarray]:
-        return self._parts(getattr(self.chart.oracle, self.row.source)(*self._of_poses(*given)))
+        return self._parts(getattr(self.chart.oracle, self.row.source)(*self._of_poses(*given), *self.branch))
 
     def _parts(self, result: Any) -> list[np.ndarray]:
         """Return the parts of a result of the oracle: real and dual ones, or one for each array of rotations."""
@@ -124,17 +161,28 @@ class Call:
 
     def _other_side(self) -> list[list[np.ndarray]]:
         """Return the other right results at half a turn: the opposite axis, the angle or the edge on its other side."""
-        name, given, known = self.row.source, self._of_poses(*self._doubles), self.chart.oracle
+        name, given, known = self.row.source, self._of_poses(*self.given), self.chart.oracle
+        sided = name in SIDED or name in POSES_OF
+        if sided and not self._is_half_turn(getattr(known, name)(*given) if name in POSES_OF else given[0]):
+            return []
+        if name in POSES_OF and any(self.branch):  # turns about the opposite axis are counted from the other side
+            return [self._parts(getattr(known, name)(*given, -1 - self.branch[0]))]
         if name == "principal" or name in POSES_OF:
             return [self._parts(known.shadow(getattr(known, name)(*given), branch)) for branch in (1, -1)]
         if name == "to_screw":
             angle, axis = known.to_screw(*given)
-            return [self._parts((np.array([2 * mpmath.pi - angle[0], -angle[1]]), -axis))]
+            return [self._parts((np.array([2 * known.field.pi - angle[0], -angle[1]]), -axis))]
         if name in families.STEPS and known.order == 2 and self._turns_half(given[-1]):
             return [self._parts(getattr(known, name)(*given, other=True))]
         if name == "from_exponential" and self.chart.edge < 3.2 and self._turns_half(given[-1]):
-            return [[-part for part in self._exact(*self._doubles)]]
-        return [self._parts(getattr(known, name)(*given, -1))] if name in SIDED else []
+            return [[-part for part in self._exact(*self.given)]]
+        return [self._parts(getattr(known, name)(*given, -(self.branch or (1,))[0]))] if name in SIDED else []
+
+    def _is_half_turn(self, v: np.ndarray) -> bool:
+        """Tell whether the pose of a vector turns by π to 64 roundings, so that both axes are right."""
+        known = self.chart.oracle
+        rounding = max(float(np.finfo(self.given[0].dtype).eps), self.violation)
+        return bool(abs(known.to_screw(v)[0][0] - known.field.pi) < 64 * rounding)
 
     def _turns_half(self, delta: np.ndarray) -> bool:
         """Tell whether a step turns by π to 8 roundings, so that both branches are equally near."""
@@ -145,11 +193,11 @@ def _tuple(result: Any) -> tuple[Any, ...]:
     return result if isinstance(result, tuple) else (result,)
 
 
-def _share(found: np.ndarray, exact: np.ndarray, allowed: float) -> float:
-    return errors.norm(np.reshape(exact, np.shape(found)) - found.astype(object)) / allowed
+def _distance(found: np.ndarray, exact: np.ndarray) -> float:
+    return errors.norm(np.reshape(exact, np.shape(found)) - found.astype(object))
 
 
-def _norms(exact: list[np.ndarray]) -> list[float]:
+def norms(exact: list[np.ndarray]) -> list[float]:
     return [errors.norm(part) for part in exact]
 
 

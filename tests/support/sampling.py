@@ -107,11 +107,6 @@ def poses(order: int, regime: str, dtype: type = np.float64, count: int = COUNT,
     return _filled(np.concatenate([tangent * axis, dual], axis=-1), rng, dtype)
 
 
-def reached(order: int, regime: str, count: int = 6) -> np.ndarray:
-    """Return vectors of a regime, or of the uniform regime if the chart does not reach it."""
-    return poses(order, regime if has_regime(order, regime) else "uniform", count=count)
-
-
 def dual_vectors(key: str, dtype: type = np.float64, count: int = COUNT, seed: int = 0) -> np.ndarray:
     """Draw twists, rates or lines: six normally distributed numbers in each row."""
     rng = generator(key, np.dtype(dtype).name, seed=seed)

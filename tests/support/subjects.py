@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import importlib
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from functools import cache, cached_property
+from functools import cache
 from types import ModuleType
 from typing import Any
 
@@ -34,9 +34,9 @@ class Subject:
         self.ends: bool = module.CHART.ends
         self.edge = np.inf if module.__name__.endswith(".exponential") else module.singular_angles()[-1]
 
-    @cached_property
+    @property
     def components(self) -> int:
-        return len(self.module.identity())
+        return self.table.public["inverse"].shape[0]
 
     def limit(self, largest: float) -> float:
         """Return |v| beyond which powers of it overflow, which docstrings name."""

@@ -1,4 +1,4 @@
-"""Fixtures: packages of all targets except NumPy, each generated once."""
+"""Fixtures: one package of each target except NumPy."""
 
 from __future__ import annotations
 
@@ -10,9 +10,11 @@ from types import ModuleType
 
 import pytest
 
+from derive.codegen.build import print_package
+from derive.codegen.targets import TARGETS
+from derive.maps import Cayley, family
+from derive.output import files
 from tests.support import packages
-
-ORDERS, FAMILIES = (1, 2, 3, 8), ("breusing", "exponential", "lambert", "orthographic", "sine3", "wiener_milenkovic")
 
 
 @pytest.fixture(scope="session")
@@ -21,7 +23,8 @@ def folder(shared: Callable[[str, Callable[[Path], object]], Path]) -> Callable[
 
     def made(target: str) -> Path:
         name = f"generated_{target.replace('-', '_')}"
-        return shared(name, lambda place: packages.write(packages.ORDERS[target], target, place))
+        charts = packages.ORDERS[target], target
+        return shared(name, lambda place: packages.write(*charts, place, packages.FAMILIES[target]))
 
     return made
 
@@ -51,15 +54,19 @@ def array_api(package: Callable[[str], str]) -> Callable[[int], ModuleType]:
 
 
 @pytest.fixture(scope="session")
-def charts(shared: Callable[[str, Callable[[Path], object]], Path]) -> Iterator[Callable[[str], ModuleType]]:
+def charts(package: Callable[[str], str]) -> Callable[[str], ModuleType]:
     """Provide a function that returns the array-api module of a chart, by its name after that of the package."""
-    folder = shared("rules", lambda place: packages.write(ORDERS, "array-api", place, FAMILIES))
-    with pytest.MonkeyPatch.context() as patch:
-        patch.syspath_prepend(str(folder.parent))
-        yield lambda name: importlib.import_module(f"{folder.name}.{name}")
+    return lambda name: importlib.import_module(f"{package('array-api')}.{name}")
 
 
 @pytest.fixture(scope="session")
 def compiled(package: Callable[[str], str]) -> Callable[[int], ModuleType]:
     """Provide a function that returns the Numba module of an order."""
     return lambda order: importlib.import_module(f"{package('numba')}.cayley{order}")
+
+
+@pytest.fixture(scope="session")
+def headers(shared: Callable[[str, Callable[[Path], object]], Path]) -> Path:
+    """Return the folder of C headers of some charts, without their differential tests, which take long to write."""
+    charts = [*map(Cayley, (2, 3)), *map(family, packages.FAMILIES["c"])]
+    return shared("c_headers", lambda at: files.write(at, print_package(charts, TARGETS["c"], tested=False).texts))

@@ -12,9 +12,7 @@ from derive.codegen.lowering.scalar_programs import SCALARS
 from derive.codegen.signatures import SIDES
 from derive.output import pages
 from tests.support import sampling
-from tests.support.libraries import LIBRARIES, QUICKLY
-
-jax = pytest.importorskip("jax")
+from tests.support.libraries import LIBRARIES, QUICKLY, jax
 
 OTHERS = (
     "between", "retract", "body_retract", "local", "body_local", "twist", "body_twist", "rate", "body_rate"
@@ -23,7 +21,7 @@ MODES = ("jacfwd", "jacrev")
 EVERY = pytest.mark.parametrize(
     ("name", "mode"),
     [
-        *(("compose", mode) for mode in MODES),
+        ("compose", MODES[1]), pytest.param("compose", MODES[0], marks=pytest.mark.thorough),
         *(pytest.param(name, MODES[k % 2], marks=pytest.mark.thorough) for k, name in enumerate(OTHERS)),
     ],
 )
@@ -131,7 +129,7 @@ def test_each_rule_is_the_difference_of_its_kernel(charts, chart):
                 assert error < NEARLY, (name, regime, error)
 
 
-@pytest.mark.parametrize("name", ["compose", "compose_jacobians"])
+@pytest.mark.parametrize("name", ["compose", pytest.param("compose_jacobians", marks=pytest.mark.thorough)])
 def test_rules_are_the_derivatives_of_jax(charts, name):
     module, vectors = charts("cayley3"), places(charts("cayley3"), 6)["beyond"]
     rates = [np.array(row) for row in ((0.3, -0.7, 0.2, 0.5, 0.1, -0.4), (-0.6, 0.2, 0.8, -0.1, 0.7, 0.3))]
@@ -245,7 +243,7 @@ def test_scalar_programs_are_differentiated_by_their_rules_in_jax(charts, monkey
     assert found == 7
 
 
-@pytest.mark.parametrize(("dtype", "size"), [(np.float64, 1e-160), (np.float64, 1e-300), (np.float32, 1e-25)])
+@pytest.mark.parametrize(("dtype", "size"), [(np.float64, 1e-300), (np.float32, 1e-25)])
 def test_an_angle_has_its_gradient_and_hessian_where_squares_underflow(charts, dtype, size):
     """Compare with α = 6|v|, of which third and higher powers of v are lost."""
     u = np.array([2, -2, 1]) / 3

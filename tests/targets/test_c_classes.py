@@ -8,14 +8,11 @@ from pathlib import Path
 import mpmath
 import pytest
 
-from derive.codegen.build import print_package
-from derive.codegen.targets import TARGETS
 from derive.codegen.targets.c import GATE
 from derive.codegen.validation.decimals import EXACT_DIGITS
 from derive.codegen.validation.float_cases import FloatCase, cases, composed
 from derive.maps import Cayley, family
 from derive.maps.chart import Chart
-from derive.output import files
 from tests.support import scalars
 from tests.support.scalars import COMPILERS, TABLES, built, functions
 
@@ -60,11 +57,6 @@ int main()
 """
 
 
-@pytest.fixture(scope="module")
-def headers(shared) -> Path:
-    return shared("c_classes", lambda at: files.write(at, print_package(CHARTS, TARGETS["c"], tested=False).texts))
-
-
 def calls(chart: Chart) -> list[FloatCase]:
     """Return the first seeded cases of each function of both tables, one for each branch."""
     every = [case for table in TABLES for case in (*cases(chart, table), *composed(chart, table))]
@@ -95,7 +87,11 @@ def line(place: int, case: FloatCase) -> str:
 
 
 @pytest.mark.parametrize(
-    ("scalar", "through"), [("Mixed", "double"), ("Lazy", "double"), ("Jet<2,Jet<1>>", "Jet<2,Jet<1>>")]
+    ("scalar", "through"),
+    [
+        ("Jet<2,Jet<1>>", "Jet<2,Jet<1>>"),
+        *(pytest.param(name, "double", marks=pytest.mark.thorough) for name in ("Mixed", "Lazy")),
+    ],
 )
 def test_classes_of_doubles_give_the_results_of_doubles(scalar, through, headers, tmp_path):
     asked = calls(CHARTS[0])
@@ -116,10 +112,16 @@ def wrong(asked: Sequence[FloatCase], found: Sequence[Sequence[str]], bits: int)
                     yield f"{case.function} branch {case.branch}: {mpmath.nstr(error / scale * 2 ** (bits - 1), 3)} eps"
 
 
-@pytest.mark.parametrize("chart", CHARTS, ids=lambda chart: chart.name)
 @pytest.mark.parametrize(
-    ("scalar", "through", "bits", "library"),
-    [("long double", "long double", 64, ""), ("Digits50", "Digits50", 168, "boost"), ("Ceres", "double", 53, "ceres")],
+    ("chart", "scalar", "through", "bits", "library"),
+    [
+        pytest.param(chart, *one, marks=[pytest.mark.thorough] * ("long double" not in one or chart is CHARTS[0]))
+        for chart in CHARTS
+        for one in (
+            ("long double", "long double", 64, ""), ("Digits50", "Digits50", 168, "boost"),
+            ("Ceres", "double", 53, "ceres"),
+        )
+    ],
 )
 def test_results_have_all_digits_of_the_class(chart, scalar, through, bits, library, headers, tmp_path):
     asked = calls(chart)

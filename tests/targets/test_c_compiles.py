@@ -251,8 +251,8 @@ def test_vector_functions_are_asked_for_where_the_library_has_them(package, tmp_
 def test_the_package_installs_and_the_example_finds_it(folder, tmp_path):
     """Build the tests of one order, since those of others are compiled above."""
     cmake, place = tool("cmake"), tmp_path / "prefix"
-    others = shutil.ignore_patterns(*(f"test_cayley{n}.c" for n in ORDERS if n != 3))
-    package = shutil.copytree(folder("c"), tmp_path / "kernels", ignore=others)
+    package = shutil.copytree(folder("c"), tmp_path / "kernels", ignore=shutil.ignore_patterns("test_*.c"))
+    shutil.copy(folder("c") / "test_cayley3.c", package)
     run(cmake, "-S", package, "-B", tmp_path / "package")
     run(cmake, "--build", tmp_path / "package")
     assert "100% tests passed, 0 tests failed out of 2" in run(tool("ctest"), "--test-dir", tmp_path / "package")

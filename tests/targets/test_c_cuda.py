@@ -55,7 +55,12 @@ def compiled(chart: Chart, headers: Path, tmp_path: Path, way: str) -> str:
     return done.stdout + done.stderr
 
 
-@pytest.mark.parametrize(("chart", "way"), [(Cayley(3), WAYS[0]), (family("exponential"), WAYS[1])])
+@pytest.mark.parametrize(
+    ("chart", "way"),
+    [
+        (Cayley(3), WAYS[0]), pytest.param(family("exponential"), WAYS[1], marks=pytest.mark.thorough),
+    ],
+)  # fmt: skip
 def test_every_function_becomes_device_code(chart, way, tmp_path):
     files.write(tmp_path, print_package([chart], TARGETS["c"], tested=False).texts)
     assert compiled(chart, tmp_path, tmp_path, way) == ""

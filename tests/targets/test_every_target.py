@@ -7,7 +7,6 @@ from collections.abc import Callable
 from types import ModuleType
 from typing import Any
 
-import jax
 import numpy as np
 import pytest
 
@@ -16,6 +15,7 @@ from derive.codegen.signatures import PUBLIC, ROTATIONS
 from derive.codegen.targets import TARGETS
 from derive.maps import Cayley
 from derive.output import files
+from tests.support.libraries import LIBRARIES
 from tests.support.rotation_arguments import ROUNDINGS, arguments
 
 # tests/derive/codegen/test_c_text.py interprets the C headers, also used by the native target
@@ -95,16 +95,19 @@ def require_equal(module: ModuleType, kernels: ModuleType, name: str, make: Call
         assert np.all(abs(np.asarray(one) - other) <= ROUNDINGS * EPS * abs(other).max(initial=1)), name
 
 
+def to_jax(array):
+    return LIBRARIES["jax"]()(array)
+
+
 @pytest.mark.parametrize(
     ("order", "functions", "make"),
     [
-        (1, ROTATIONS.public, np.asarray), (3, ROTATIONS.public, np.asarray), (1, COMPILED, jax.numpy.asarray),
-        pytest.param(3, ROTATIONS.public, jax.numpy.asarray, marks=pytest.mark.thorough),
+        (1, ROTATIONS.public, np.asarray), (3, ROTATIONS.public, np.asarray), (1, COMPILED, to_jax),
+        pytest.param(3, ROTATIONS.public, to_jax, marks=pytest.mark.thorough),
     ],
     ids=["numpy-1", "numpy-3", "jax-1", "jax-3"],
 )  # fmt: skip
 def test_functions_in_every_library(package, order, functions, make):
-    jax.config.update("jax_enable_x64", True)
     name = f"rotation.cayley{order}"
     module, kernels = (importlib.import_module(f"{place}.{name}") for place in (package("array-api"), "dualcay"))
     for function in functions:
