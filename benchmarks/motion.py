@@ -74,7 +74,7 @@ def straight_line(equation: MotionEquation) -> Callable[[float, np.ndarray], Seq
 
 def runs(equation: MotionEquation, tolerances: Sequence[float] = TOLERANCES, end: float = END) -> list[Run]:
     """Return a run for each tolerance."""
-    rhs, start = straight_line(equation), motions.state(equation, motions.kernels(equation).from_pose(motions.pose(0)))
+    rhs, start = straight_line(equation), motions.start(equation)
 
     def solve(rtol: float) -> Any:
         return solve_ivp(rhs, (0, end), start, "DOP853", rtol=rtol, atol=rtol / 10)

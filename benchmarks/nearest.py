@@ -1,6 +1,6 @@
 """Search for the φ whose Re T is nearest to a rotation, for ``dualcay compare``.
 
-The measure is the largest of the singular values of Re T and their inverses up to an angle, `Stretch.worst`.
+The measure is the largest of the singular values of Re T and their inverses up to an angle.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ import numpy as np
 from numpy.polynomial.polynomial import polyval
 from numpy.typing import NDArray
 
-from derive.pages.comparison import ANGLES
+from derive.pages.comparison import ANGLES, Stretch
 
 POINTS = 400
 """Number of angles in the search for an extremum."""
@@ -35,8 +35,13 @@ def searched() -> dict[str, Any]:
     return {"points": POINTS, "rows": rows}
 
 
+def worst(found: Stretch) -> float:
+    """Return the largest factor between a singular value and 1."""
+    return max(found.along, found.across, 1 / found.along, 1 / found.across)
+
+
 def bound(angle: float) -> float:
-    """Return ``√(A/2 / sin(A/2))``, a lower bound of `Stretch.worst` up to an angle A for every φ with φ′ > 0.
+    """Return ``√(A/2 / sin(A/2))``, a lower bound of `worst` up to an angle A for every φ with φ′ > 0.
 
     ``1/φ′ ≤ M`` gives ``φ(A) ≥ A/M``, and ``φ/(2 sin(A/2)) ≤ M`` gives ``φ(A) ≤ 2 M sin(A/2)``. Hence
     ``M² ≥ A/(2 sin(A/2))``. ``φ = α/M`` attains the bound. No φ with φ′(0) = 1 does: its slope would have to jump.

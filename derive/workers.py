@@ -54,7 +54,6 @@ def scratch() -> Iterator[Path]:
 
 
 def _sweep() -> None:
-    """Remove the folders that no process holds."""
     if sys.platform != "win32":
         import fcntl
 

@@ -20,7 +20,7 @@ from pathlib import Path
 import mpmath
 import numpy as np
 
-from derive.output import facts, files
+from derive.output import files, pages
 from derive.workers import scratch
 
 from .checker import PROCESSES
@@ -155,7 +155,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser.add_argument("-o", "--output", type=Path, help="file of bounds to write")
     parser.add_argument("--check", type=Path, metavar="FILE", help="certify the bounds of a file instead")
     options = parser.parse_args(arguments)
-    if not facts.writable(options.output):
+    if not pages.writable(options.output):
         return 3
     with scratch() as folder:
         try:

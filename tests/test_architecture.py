@@ -29,8 +29,8 @@ ORDER = {
     ),
     "derive.papers.condurache_popa_2023": ("cp23_notation", "definitions", "sections"),
     "derive.codegen": (
-        "programs", "lowering", "rows", "signatures", "lowered", "validation", "package", "targets", "catalogue",
-        "build", "publish",
+        "programs", "lowering", "rows", "signatures", "validation", "package", "targets", "catalogue",
+        "build",
     ),
 }  # fmt: skip
 """Rooms of packages in import order; each may import itself and earlier ones. A file ``__main__`` is a command."""

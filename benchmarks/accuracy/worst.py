@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 from benchmarks.accuracy.measure import Measurement
 from derive.codegen.signatures import POSES, ROTATIONS
-from derive.output.facts import json_rows
+from derive.output.pages import json_rows
 
 SHORT = {
     "uniform": "u",

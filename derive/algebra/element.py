@@ -23,7 +23,6 @@ class Polynomials:
         self.one, self.zero = self.constant(1), self.constant(0)
 
     def constant(self, value: Rational | int) -> Polynomial:
-        """Return a constant polynomial."""
         return self._context.constant(flint.fmpq(int(value.numerator), int(value.denominator)))
 
     def square_root(self, a: Polynomial) -> Polynomial | None:
@@ -38,7 +37,6 @@ class Polynomials:
         return [(factor, int(power)) for factor, power in a.factor()[1]]
 
     def terms(self, a: Polynomial) -> dict[tuple[int, ...], Fraction]:
-        """Return the mapping from exponents to coefficients."""
         return {tuple(map(int, e)): Fraction(int(c.p), int(c.q)) for e, c in a.to_dict().items()}
 
 

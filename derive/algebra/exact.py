@@ -39,7 +39,6 @@ class RationalFunctions:
         return Element(self, self.library.generators[self.index(name)], self.library.one)
 
     def index(self, name: str) -> int:
-        """Return the index of a generator."""
         if name not in self.names:
             raise ValueError(f"no symbol {name!r} in a ring of {', '.join(self.names)}")
         return self.names.index(name)
@@ -133,7 +132,6 @@ class RationalFunctions:
         return total
 
     def text(self, a: Polynomial) -> str:
-        """Return a polynomial as text."""
         terms = []
         for exponents, coefficient in self.library.terms(a).items():
             powers = [(name, power) for name, power in zip(self.names, exponents, strict=True) if power]

@@ -89,5 +89,4 @@ def _part(c: Any, part: Callable[[Any], Any]) -> Any:
 
 
 def _twist(R: Tensor) -> Vector:
-    """Return the space twist of a tensor of moving coefficients."""
     return twist(R.map(lambda c: _part(c, real_part)), R.map(lambda c: _part(c, dual_part)))

@@ -39,7 +39,6 @@ class Elementary:
     """Elementary functions of plain numbers and, by their derivatives, of dual numbers, nested ones included."""
 
     def real(self, name: str, *values: Coefficient) -> Callable[..., Coefficient]:
-        """Return the function with a name for plain values."""
         return getattr(namespace(*values), name)  # type: ignore[no-any-return]
 
     sin = _lifted("sin", lambda f, a: f.cos(a))
@@ -66,7 +65,6 @@ class Elementary:
         return _quotient(self.cos(a), self.sin(a), "cot", a)
 
     def tanh(self, a: Coefficient) -> Coefficient:
-        """Return the hyperbolic tangent."""
         return self.sinh(a) / self.cosh(a)
 
     def atan2(self, y: Coefficient, x: Coefficient) -> Coefficient:

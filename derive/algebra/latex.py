@@ -39,7 +39,6 @@ def bracketed(value: Any) -> str:
 
 
 def matrix(entries: Iterable[Any], columns: int) -> str:
-    """Return a matrix with the given entries, row by row."""
     cells = [*map(latex, entries)]
     rows = r" \\ ".join(" & ".join(cells[i : i + columns]) for i in range(0, len(cells), columns))
     return rf"\begin{{bmatrix}} {rows} \end{{bmatrix}}"

@@ -21,7 +21,6 @@ class Matrix(Structure):
 
     @classmethod
     def from_rows(cls, rows: Rows) -> Self:
-        """Return the matrix with these rows."""
         return cls(tuple(map(tuple, rows)))
 
     def __iter__(self) -> Iterator[Coefficient]:
@@ -43,7 +42,6 @@ def rows_of(a: Any) -> Rows:
 
 
 def shape(a: Any) -> tuple[int, int]:
-    """Return the numbers of rows and columns."""
     rows = rows_of(a)
     return len(rows), len(rows[0])
 
@@ -60,28 +58,23 @@ def shaped(rows: Rows) -> Any:
 
 
 def identity(n: int) -> Any:
-    """Return the identity of size n."""
     return shaped([[int(i == j) for j in range(n)] for i in range(n)])
 
 
 def transposed(a: Any) -> Any:
-    """Return the transpose."""
     return shaped(list(zip(*rows_of(a), strict=True)))
 
 
 def product(a: Any, b: Any) -> Any:
-    """Return the matrix product."""
     columns = list(zip(*rows_of(b), strict=True))
     return shaped([[_sum(x * y for x, y in zip(row, column, strict=True)) for column in columns] for row in rows_of(a)])
 
 
 def kron(a: Any, b: Any) -> Any:
-    """Return the Kronecker product."""
     return shaped([[x * y for x in r for y in s] for r in rows_of(a) for s in rows_of(b)])
 
 
 def blocks(rows: Sequence[Sequence[Any]]) -> Any:
-    """Return the matrix made of rows of blocks."""
     lines = (parts for row in rows for parts in zip(*map(rows_of, row), strict=True))
     return shaped([[entry for part in parts for entry in part] for parts in lines])
 

@@ -3,6 +3,9 @@
 An isotropic tensor of a vector v is ``a I + b skew(v) + c v⊗v``, with ``x = v · v``. Since ``skew(v)² = v⊗v − x I`` and
 ``skew(v) v = 0``, products, transposes and inverses stay isotropic, and commute. Their coefficients are rational in a,
 b, c and x, without v. An identity between them is one between functions of x, for real and dual vectors alike.
+
+In the notation of the papers a number plus a vector is a quaternion, and two adjacent vectors are multiplied as
+quaternions. A tensor left of a vector or a tensor acts on it.
 """
 
 from __future__ import annotations
@@ -124,11 +127,9 @@ class Tensor(Structure):
         return Vector((t[2][1] - t[1][2]) / 2, (t[0][2] - t[2][0]) / 2, (t[1][0] - t[0][1]) / 2)
 
     def trace(self) -> Coefficient:
-        """Return the trace."""
         return self.rows[0][0] + self.rows[1][1] + self.rows[2][2]
 
     def det(self) -> Coefficient:
-        """Return the determinant, the triple product of the rows."""
         first, second, third = (Vector(*row) for row in self.rows)
         return first.dot(second.cross(third))
 
@@ -265,3 +266,34 @@ class Isotropic(Structure):
             self.a * other.c + self.c * other.a + self.b * other.b + x * (self.c * other.c),
             x,
         )
+
+
+class MeaninglessError(TypeError):
+    """Error for an operation that is not defined for its operands."""
+
+
+def quaternion(a: Any) -> Quaternion:
+    """Return a number, vector or quaternion as a quaternion."""
+    if isinstance(a, Quaternion):
+        return a
+    if isinstance(a, Vector):
+        return Quaternion(0, a)
+    if isinstance(a, Structure):
+        raise MeaninglessError(f"a {type(a).__name__.lower()} is no quaternion")
+    return Quaternion(a, Vector(0, 0, 0))
+
+
+def add(a: Any, b: Any) -> Any:
+    """Return the sum; a number plus a vector is a quaternion."""
+    if type(a) is type(b) or not (isinstance(a, Structure) or isinstance(b, Structure)):
+        return a + b
+    return quaternion(a) + quaternion(b)
+
+
+def multiply(a: Any, b: Any) -> Any:
+    """Return the product of two adjacent factors in a formula."""
+    if not (isinstance(a, Structure) and isinstance(b, Structure)):
+        return a * b
+    if isinstance(a, Tensor) and isinstance(b, Tensor | Vector):
+        return a @ b
+    return quaternion(a) * quaternion(b)

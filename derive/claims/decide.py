@@ -25,25 +25,11 @@ def decide(
     paper: str, entry: Entry, lost: str = "", orders: Sequence[int] = ORDERS,
     early: Callable[[Result], None] = lambda result: None,
 ) -> Result:  # fmt: skip
-    """Return the result of an entry.
+    """Return the result of an entry of the paper with this slug, with statements about n evaluated at some orders.
 
-    Parameters
-    ----------
-    paper : str
-        Slug of the paper.
-    entry : Entry
-        Printed equation or claim.
-    lost : str, optional
-        Characters that the extraction of the paper's text lost.
-    orders : sequence of int, optional
-        Orders n at which statements about n are evaluated.
-    early : callable, optional
-        Function that receives the result before the search for changes, terms and constraints, which may take long.
-
-    Raises
-    ------
-    UndecidedError
-        If an entry in Python is incomplete, or the computation contradicts its condition, correction or domain.
+    The extraction of the paper's text lost some characters. `early` receives the result before the search for changes,
+    terms and constraints, which may take long. Raise UndecidedError if an entry in Python is incomplete, or the
+    computation contradicts its condition, correction or domain.
     """
     require_complete(entry, lost + entry.lost)
     if entry.because is not None:
@@ -67,7 +53,6 @@ def decide(
 
 
 def _result(paper: str, entry: Entry, claims: Sequence[Claim], findings: Sequence[Finding]) -> Result:
-    """Return the result of an entry by the findings of its readings."""
     rows = sorted(zip(claims, findings, entry.readings, strict=True), key=lambda row: not row[1].holds)
     (claim, finding, _), verdicts = rows[0], tuple(_verdict(*row) for row in rows)
     status, method = finding.status, finding.method
@@ -96,7 +81,6 @@ def _verdict(claim: Claim, finding: Finding, reading: Reading) -> Verdict:
 
 
 def _outside(claim: Claim, finding: Finding) -> Counterexample | None:
-    """Return the point outside the condition that was found."""
     place = finding.outside
     return None if place is None or not finding.holds else shown_at(claim, place, outside_words(claim, place))
 

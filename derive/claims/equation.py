@@ -22,8 +22,8 @@ from dataclasses import dataclass, field
 from typing import Any, TypeAlias
 
 from ..algebra.latex import Typeset
-from .language.abbreviations import Abbreviation, contracted, expanded
 from .language.environment import Definition
+from .language.names import Abbreviation, contracted, expanded
 from .language.printed import Symbol, Term, latex, rate_depth, symbols, text, walk
 
 
@@ -87,7 +87,6 @@ class Entry(Typeset):
 
     @property
     def definitions(self) -> dict[Symbol, Definition]:
-        """Return the definitions by symbol."""
         return {definition.symbol: definition for definition in self.where}
 
     def free(self, statement: Term) -> tuple[Symbol, ...]:
@@ -100,7 +99,6 @@ class Entry(Typeset):
         return tuple(symbol for symbol in found if symbol not in self.definitions and symbol.quantity.varies)
 
     def expanded(self, statement: Term) -> Term:
-        """Return a statement with the definitions of its file filled in."""
         return expanded(statement, self.abbreviations)
 
     def contracted(self, statement: Term) -> Term:

@@ -13,6 +13,7 @@ import subprocess
 import sys
 import threading
 from collections.abc import Callable, Collection, Sequence
+from concurrent.futures import ThreadPoolExecutor, as_completed
 from contextlib import suppress
 from dataclasses import fields
 from typing import Any
@@ -31,45 +32,33 @@ def decide_each(
     items: Sequence[tuple[Sheet, int]], seconds: float = SECONDS, step: Callable[[str], None] = lambda line: None
 ) -> list[Result]:
     """Return the results of entries by sheet and place, in order; a slow one is undecided."""
-    waiting: queue.SimpleQueue[int] = queue.SimpleQueue()
-    for i in range(len(items)):
-        waiting.put(i)
-    results: list[Result | None] = [None] * len(items)
-    done: queue.SimpleQueue[int | BaseException] = queue.SimpleQueue()
-    stop = threading.Event()
-
-    def work(worker: _Worker) -> None:
-        with worker:
-            while not stop.is_set():
-                try:
-                    i = waiting.get_nowait()
-                except queue.Empty:
-                    return
-                try:
-                    results[i] = worker.decide(*items[i], seconds)
-                    done.put(i)
-                except BaseException as error:
-                    done.put(error)
-                    return
-
+    stop, idle = threading.Event(), queue.SimpleQueue[_Worker]()
     crew = [_Worker(stop) for _ in range(min(cores(), len(items)))]
-    threads = [threading.Thread(target=work, args=(worker,), daemon=True) for worker in crew]
-    for thread in threads:
-        thread.start()
-    try:
-        for _ in items:
-            found = done.get()
-            if isinstance(found, BaseException):
-                raise found
-            sheet, place = items[found]
-            step(f"equation {sheet.entries()[place].number}")
-    finally:
-        stop.set()
-        for worker in crew:
-            worker.kill()
-        for thread in threads:
-            thread.join()
-    return [result for result in results if result is not None]
+    for worker in crew:
+        idle.put(worker)
+
+    def decided(sheet: Sheet, place: int) -> Result:
+        worker = idle.get()
+        try:
+            return worker.decide(sheet, place, seconds)
+        finally:
+            idle.put(worker)
+
+    with ThreadPoolExecutor(max(len(crew), 1)) as pool:
+        found = {pool.submit(decided, *item): item for item in items}
+        try:
+            for future in as_completed(found):
+                future.result()
+                sheet, place = found[future]
+                step(f"equation {sheet.entries()[place].number}")
+        finally:
+            stop.set()
+            for worker in crew:
+                worker.kill()
+            pool.shutdown(cancel_futures=True)
+            for worker in crew:
+                worker.close()
+    return [future.result() for future in found]
 
 
 def check(claim: str, /, *, domain: str = "", seconds: float = SECONDS, **letters: str) -> Result:
@@ -126,11 +115,8 @@ class _Worker:
         self.stop = stop
         self.process: subprocess.Popen[bytes] | None = None
 
-    def __enter__(self) -> _Worker:
-        return self
-
-    def __exit__(self, *_: object) -> None:
-        """Kill the process and close its pipes; only the thread that began it does this."""
+    def close(self) -> None:
+        """Kill the process and close its pipes; one thread at a time does this."""
         self.kill()
         if self.process is not None:
             self.process.communicate()
@@ -165,7 +151,7 @@ class _Worker:
             while not final:
                 final, own = pickle.load(process.stdout)
         except (EOFError, OSError, pickle.UnpicklingError):
-            self.__exit__()
+            self.close()
             if not own:
                 late = stopped(process.returncode)
                 reason = f"not decided within {seconds:g} s of processor time" if late else "its process died"
@@ -174,7 +160,6 @@ class _Worker:
 
 
 def undecided(slug: str, entry: Entry, reason: str) -> Result:
-    """Return the result of an entry without a decision, with the reason."""
     verdict = Verdict(entry.readings[0].statement, "", False, reason)
     return Result(slug, entry, Status.UNDECIDED, reason, (verdict,))
 

@@ -14,9 +14,9 @@ from pathlib import Path
 from typing import Any
 
 from .equation import Entry, Home, Paper, Reading
-from .language.abbreviations import Abbreviation, ClaimError, Scope, expanded
 from .language.claims import statement, tree
 from .language.letters import LITERALS, letter
+from .language.names import Abbreviation, ClaimError, Scope, expanded
 from .language.operations import CONSTANTS, OPERATIONS
 from .language.printed import Symbol, Term
 from .transcript import READING_KEYS, Transcript
@@ -67,7 +67,6 @@ class Sheet(Paper):
 
     @staticmethod
     def made(request: tuple[Any, ...]) -> Sheet:
-        """Return the sheet made from a request."""
         return sheet(*request) if len(request) == 2 else claim_alone(*request)
 
     @cached_property
@@ -76,7 +75,6 @@ class Sheet(Paper):
 
     @property
     def problems(self) -> tuple[Problem, ...]:
-        """Text that cannot be read."""
         return self._content[1]
 
     def entries(self) -> tuple[Entry, ...]:

@@ -13,12 +13,12 @@ from typing import Any
 from .deciding.claim import operators
 from .deciding.proof import COMPONENTWISE
 from .equation import Entry, Latex, Reading
-from .language.abbreviations import CALL, CALLS, ClaimError, Scope
 from .language.claims import statement
 from .language.environment import Definition, Env, let
+from .language.matrices import unlike
+from .language.names import CALL, CALLS, ClaimError, Scope
 from .language.operator_table import nonzero
 from .language.printed import Apply, Number, Symbol, Term, Trait, shown_as, symbols, walk, with_trait
-from .language.relations import unlike
 
 READING_KEYS = ("claim", "note", "supported_by")
 
@@ -75,8 +75,6 @@ class Transcript:
 
 
 def _definition(symbol: Symbol, parameters: Sequence[Symbol], body: Term) -> Definition:
-    """Return the definition of a name: its value, or the function of its parameters."""
-
     def value(env: Env, *_: Any) -> Any:
         if not parameters:
             return env.value(body)

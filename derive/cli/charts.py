@@ -12,7 +12,7 @@ import sympy
 
 from .. import about
 from ..algebra.latex import latex
-from ..codegen import Package, catalogue, publish
+from ..codegen import Package, build, catalogue
 from ..maps.chart import Chart
 from ..maps.named import described
 from ..output.shown import Grid, columns, figures
@@ -33,13 +33,13 @@ def generate(
     if phi is not None and (known := described(charts[0])):
         click.echo(f"dualcay: phi = {phi} is the chart {known}: its programs and proofs are used", err=True)
     with options.refusals("-o"):
-        folder = publish.place(output, target)
+        folder = build.place(output, target)
     with options.refusals():
         if check:
-            if found := publish.check_charts(folder, charts, target, display.progress, max_n):
+            if found := build.check_charts(folder, charts, target, display.progress, max_n):
                 display.differences(found, options.without_check())
             raise click.exceptions.Exit(1 if found else 0)
-        package = publish.generate_charts(charts, target, folder, force, display.progress, cores())
+        package = build.generate_charts(charts, target, folder, force, display.progress, cores())
     click.echo(summary(package, folder).text(columns()), nl=False)
     if not_compiled := [module.name for module in package.modules if module.counts.tested is None]:
         click.echo(f"no C compiler found (set CC), so validated as text only: {', '.join(not_compiled)}", err=True)
@@ -96,7 +96,6 @@ def _formulas(chart: Chart, what: tuple[str, ...]) -> dict[str, Any]:
 
 
 def _label(chart: Chart) -> dict[str, Any]:
-    """Return the order of a Cayley map, or name and φ of another chart."""
     return {"n": chart.order} if chart.selection[0] == "-n" else {"name": chart.name, "phi": _text(chart.written)}
 
 
@@ -150,7 +149,6 @@ def compare(
 
 
 def _require_plot(file: Path) -> None:
-    """Raise an error if a plot cannot be drawn or written, before any work."""
     try:
         from matplotlib.backend_bases import FigureCanvasBase
     except ImportError:

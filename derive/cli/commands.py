@@ -36,22 +36,18 @@ class Commands(click.Group):
 
 
 def orders(text: str) -> Decorator:
-    """Declare the option -n."""
     return click.option("-n", "orders", callback=options.orders, metavar="ORDERS", help=text)
 
 
 def form(choices: tuple[str, ...], text: str) -> Decorator:
-    """Declare the option --format."""
     return click.option("--format", "form", type=click.Choice(choices), default="text", show_default=True, help=text)
 
 
 def families(text: str) -> Decorator:
-    """Declare the option --family."""
     return click.option("--family", "families", callback=options.listed, metavar="NAMES", help=text)
 
 
 def run_module(module: str, command: str, given: dict[str, Any]) -> None:
-    """Load the module of a command and run it with the given options."""
     getattr(importlib.import_module(f"derive.cli.{module}"), command)(**given)
 
 

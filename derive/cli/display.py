@@ -40,7 +40,6 @@ def _lines(total: int) -> Step:
 
 
 def differences(found: list[Difference], command: str) -> None:
-    """Print each difference as a diff, then the command that accepts all differences."""
     for difference in found:
         reason = f" ({difference.reason})" if difference.reason else ""
         click.echo(f"{difference.kind}: {difference.path}{reason}")

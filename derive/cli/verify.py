@@ -12,12 +12,12 @@ import click
 
 from .. import about
 from ..claims.equation import Paper
-from ..claims.language.abbreviations import ClaimError
+from ..claims.language.names import ClaimError
 from ..claims.report import FORMATS, Report, as_text, data
 from ..claims.result import Status
 from ..claims.run import check_sheets
 from ..claims.sheet import Sheet, SheetError, claim_alone, load
-from ..output import facts, files
+from ..output import files, pages
 from ..output.shown import columns
 from . import display, options
 
@@ -52,8 +52,8 @@ def verify(
     if output is None:
         click.echo(text, nl=False)
     else:
-        texts = facts.beside(output, text, data(report)) if beside else {output.name: text}
-        stale = facts.stale(output, texts) if check else []
+        texts = pages.beside(output, text, data(report)) if beside else {output.name: text}
+        stale = pages.stale(output, texts) if check else []
     if output is not None and not check:
         files.write(output.parent, texts, force=True)
         click.echo(f"{output}: {summary(report)}", err=True)
@@ -82,7 +82,6 @@ class Unreadable(click.ClickException):
 
 
 def _single(claim: str, letters: Sequence[str], domain: str) -> Sheet:
-    """Return one claim of the command line as a sheet."""
     wrong = next((text for text in letters if not all(part.strip() for part in text.partition("="))), None)
     if wrong is not None:
         raise click.BadParameter(f"expected NAME=KIND such as v=vector, got {wrong!r}", param_hint="--let")
@@ -147,6 +146,5 @@ def _root(output: Path | None) -> str:
 
 
 def summary(report: Report) -> str:
-    """Return the number of equations with each status, and the number of proofs, as a text."""
     counts = Counter(str(result.status) for result in report.results)
     return ", ".join(f"{count} {what}" for what, count in (*counts.items(), ("proofs", len(report.proofs))))

@@ -1,8 +1,8 @@
 """Generator: proved formulas become files of kernels, by the stages of `build`."""
 
 from ..output import Difference, RefusedError
+from .build import check_charts, generate, generate_charts
 from .package import Module, Package
-from .publish import check_charts, generate, generate_charts
 from .validation import ValidationFailed
 
 __all__ = [

@@ -20,10 +20,9 @@ from ..maps import Formula
 from ..maps.chart import Chart
 from ..output import generated, render, source
 from ..proof import Proved, theorems
-from .lowered import ChartPrograms, Lowered, geometry
 from .programs.program import Call, Program
 from .rows import Table
-from .signatures import POSES, ROTATIONS
+from .signatures import POSES, ROTATIONS, ChartPrograms, Lowered, geometry
 
 PRINTED_DIGITS = 60  # decimal digits of printed constants: enough for C++ classes of 50 digits
 WIDTH = 110  # largest number of characters in a comment line
@@ -56,7 +55,6 @@ class Module:
 
     @property
     def text(self) -> str:
-        """Return the text of the module for poses."""
         return self.texts[self.name]
 
     def __repr__(self) -> str:

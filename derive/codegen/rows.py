@@ -49,6 +49,10 @@ class Array:
         return Array(self.real_name or self.name, self.real or (), parts, self.real, vector=self.vector)
 
 
+RULE, BY_TEXT = "rule", "by text, because "
+"""Decisions on derivatives under JAX and PyTorch: by a rule of the target array-api, or by text, with a reason."""
+
+
 @dataclass(frozen=True, slots=True)
 class Function:
     """Function of a kernel module."""
@@ -57,6 +61,7 @@ class Function:
     arguments: tuple[Array, ...]
     results: tuple[Array, ...]
     recipe: Recipe | None  # function that traces its program; None if it ``shares`` the program of another function
+    derivatives: str = ""  # decision on derivatives, ``RULE`` or ``BY_TEXT`` with its reason; with ``shares``, empty
     exact: bool = True  # True for an exact expected result on ring elements, False for one of 50 digits
     constants: tuple[str, ...] = ()  # components of its program's argument ``table``, if equal for all charts
     branch: bool = False  # True if a branch is the last argument
@@ -83,17 +88,14 @@ class Function:
 
     @property
     def kernel(self) -> str:
-        """Return the name of the function whose program this function runs."""
         return self.shares or self.name
 
     def aliases_in(self, chart: Chart) -> list[str]:
         """Return its further names in the module of a chart: dcay for Cayley maps, dexp for the exponential."""
-        stem = "dcay" if chart.cayley else "dexp" if chart.name == "exponential" else None
-        return [alias.replace("dcay", stem) for alias in self.aliases] if stem else []
+        return [alias.replace("dcay", chart.operator) for alias in self.aliases] if chart.operator else []
 
     @property
     def source(self) -> str:
-        """Return the name of the corresponding function of poses."""
         return self.pose.name if self.pose else self.name
 
     @property
@@ -155,10 +157,8 @@ class Table:
             raise ValueError(f"{where}: functions of the table that are missing: {missing}; not in it: {extra}")
 
     def aliases(self, chart: Chart) -> dict[str, str]:
-        """Return further names in the module of a chart, each with the name of its function."""
         return {alias: name for name, row in self.public.items() for alias in row.aliases_in(chart)}
 
 
 def inside(table: Table, name: str) -> str:
-    """Return the path of a file in the folder of a table."""
     return f"{table.name}/{name}" if table.name else name

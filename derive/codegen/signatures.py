@@ -1,14 +1,23 @@
-"""Tables of kernel functions with one row each, the source of exports, prototypes, recipes and validation."""
+"""Tables of kernel functions with one row each, the source of exports, prototypes, recipes and validation.
+
+The programs of a proved chart follow: geometry programs that all charts share, and the chart's own scalar programs.
+"""
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Mapping
-from dataclasses import replace
-from functools import partial
+from dataclasses import dataclass, replace
+from functools import cache, lru_cache, partial
 
-from .lowering import calculus, forward, groups, inverse, kinematics, retraction, shadows
+from ..maps.chart import Chart
+from ..proof import Proved
+from .lowering import calculus, forward, inverse, retraction, shadows
 from .lowering.point import Recipe
-from .rows import Array, Function, Table
+from .lowering.scalar_programs import scalar_programs
+from .programs.program import Program
+from .programs.trace import written_out
+from .rows import BY_TEXT, RULE, Array, Function, Table
 
 
 def _array(name: str, shape: tuple[int, ...], *parts: int, real: tuple[int, ...] | None = None) -> Array:
@@ -58,18 +67,13 @@ CHECK, SCALAR_FIRST = "check", "scalar_first"
 """Keywords: ``check`` asks for valid arguments, ``scalar_first`` places the scalar of a quaternion."""
 
 
-def _way_back(name: str, given: Array, recipe: Recipe, *keywords: str) -> Function:
-    """Return the row of an inverse map, from a representation of a pose to v on a branch."""
-    keywords = (CHECK, *keywords)
-    return Function(name, (given,), (V,), recipe, exact=False, branch=True, real=True, keywords=keywords)
+SMOOTH = f"{BY_TEXT}each step is a sum, a product or a quotient, and scalar programs have slopes"
+CHOICES = f"{BY_TEXT}both arms of each choice have finite slopes, and no root is of 0"
+OF_AXIS = f"{BY_TEXT}the axis has no derivative at rest, and no root is of 0 elsewhere"
+"""Reasons why JAX and PyTorch differentiate the text of a function."""
 
-
-def _both_frames(name: str, arguments: tuple[Array, ...], result: Array, recipe: Recipe) -> tuple[Function, Function]:
-    """Return the rows of a function in space and in the body, which differ in the side of T."""
-    return (
-        Function(name, arguments, (result,), recipe, constants=SPACE),
-        Function(f"body_{name}", arguments, (result,), None, constants=BODY, shares=name),
-    )
+_smooth = partial(Function, derivatives=SMOOTH)
+"""Row of a function whose text JAX and PyTorch differentiate without loss at any v."""
 
 
 _selecting = partial(Function, exact=False, real=True)
@@ -79,19 +83,33 @@ _by_exponential = partial(_selecting, remainder=retraction.EXPONENTIAL.remainder
 """Row of a function whose value depends on the exponential's series."""
 
 
+def _way_back(name: str, given: Array, recipe: Recipe, *keywords: str) -> Function:
+    """Return the row of an inverse map, from a representation of a pose to v on a branch."""
+    keywords = (CHECK, *keywords)
+    return _selecting(name, (given,), (V,), recipe, CHOICES, branch=True, keywords=keywords)
+
+
+def _both_frames(name: str, arguments: tuple[Array, ...], result: Array, recipe: Recipe) -> tuple[Function, Function]:
+    """Return the rows of a function in space and in the body, which differ in the side of T."""
+    return (
+        _smooth(name, arguments, (result,), recipe, constants=SPACE),
+        Function(f"body_{name}", arguments, (result,), None, constants=BODY, shares=name),
+    )
+
+
 _ROWS = (
-    Function("quaternion", (V,), (QUATERNION,), forward.quaternion, keywords=(SCALAR_FIRST,)),
-    Function("tensor", (V,), (TENSOR,), forward.tensor),
-    Function("pose", (V,), (POSE,), forward.pose, rotation=None),
-    Function("transform_point", (V, POINT), (POINT.called("moved"),), forward.transform_point),
-    Function("transform_line", (V, LINE), (MOVED,), forward.transform_line, rotation=None),
-    Function("inverse", (V,), (BACK,), forward.inverse),
-    Function("tangent", (V,), (_tensor("tangent"),), kinematics.tangent, aliases=("dcay",)),
-    Function("tangent_inv", (V,), (_tensor("tangent"),), kinematics.tangent_inv, aliases=("dcay_inv",)),
-    Function("body_tangent", (V,), (_tensor("tangent"),), kinematics.body_tangent),
-    Function("body_tangent_inv", (V,), (_tensor("tangent"),), kinematics.body_tangent_inv),
-    Function("twist", (V, V_DOT), (OMEGA,), kinematics.twist, constants=SPACE),
-    Function("rate", (V, OMEGA), (V_DOT,), kinematics.rate, constants=SPACE_INV),
+    _smooth("quaternion", (V,), (QUATERNION,), forward.quaternion, keywords=(SCALAR_FIRST,)),
+    _smooth("tensor", (V,), (TENSOR,), forward.tensor),
+    _smooth("pose", (V,), (POSE,), forward.pose, rotation=None),
+    _smooth("transform_point", (V, POINT), (POINT.called("moved"),), forward.transform_point),
+    _smooth("transform_line", (V, LINE), (MOVED,), forward.transform_line, rotation=None),
+    _smooth("inverse", (V,), (BACK,), forward.inverse),
+    _smooth("tangent", (V,), (_tensor("tangent"),), calculus.tangent, aliases=("dcay",)),
+    _smooth("tangent_inv", (V,), (_tensor("tangent"),), calculus.tangent_inv, aliases=("dcay_inv",)),
+    _smooth("body_tangent", (V,), (_tensor("tangent"),), calculus.body_tangent),
+    _smooth("body_tangent_inv", (V,), (_tensor("tangent"),), calculus.body_tangent_inv),
+    Function("twist", (V, V_DOT), (OMEGA,), calculus.twist, RULE, constants=SPACE),
+    Function("rate", (V, OMEGA), (V_DOT,), calculus.rate, RULE, constants=SPACE_INV),
     Function("body_twist", (V, V_DOT), (OMEGA,), None, constants=BODY, shares="twist"),
     Function("body_rate", (V, OMEGA), (V_DOT,), None, constants=BODY_INV, shares="rate"),
     *_both_frames("tangent_dot", (V, V_DOT), _tensor("tangent_dot"), calculus.tangent_dot),
@@ -99,7 +117,7 @@ _ROWS = (
     *_both_frames("rate_dot", (V, OMEGA, OMEGA_DOT), V_DDOT, calculus.rate_dot),
     *_both_frames("twist_jacobian", (V, V_DOT), JACOBIAN, calculus.twist_jacobian),
     *_both_frames("rate_jacobian", (V, OMEGA), JACOBIAN, calculus.rate_jacobian),
-    Function("transition", (V, V.called("v0")), (JACOBIAN,), groups.transition, constants=BODY),
+    _smooth("transition", (V, V.called("v0")), (JACOBIAN,), inverse.transition, constants=BODY),
     Function("body_transition", (V, V.called("v0")), (JACOBIAN,), None, constants=SPACE, shares="transition"),
     Function("cotangent", (V, WRENCH), (MOMENTUM,), None, constants=BODY, shares="twist"),
     Function("body_cotangent", (V, WRENCH), (MOMENTUM,), None, constants=SPACE, shares="twist"),
@@ -109,39 +127,42 @@ _ROWS = (
     _way_back("from_tensor", _tensor("R"), inverse.from_tensor),
     replace(_way_back("from_pose", POSE.called("T"), inverse.from_pose), rotation=None),
     replace(
-        _selecting("from_screw", (ANGLE, AXIS), (V,), shadows.from_screw, keywords=(CHECK,)),
+        _selecting("from_screw", (ANGLE, AXIS), (V,), shadows.from_screw, CHOICES, keywords=(CHECK,)),
         rotation="from_angle_axis",
     ),
-    _selecting("to_screw", (V,), (ANGLE, AXIS), shadows.to_screw, rotation="to_angle_axis"),
-    _selecting("angle", (V,), (ANGLE,), shadows.angle),
-    _selecting("to_exponential", (V,), (LOGARITHM,), shadows.to_exponential),
-    _selecting("from_exponential", (LOGARITHM,), (V,), shadows.from_exponential),
-    _selecting("turn", (V,), (SHADOW,), shadows.turn, public=False),
-    _selecting("shadow", (V,), (SHADOW,), shadows.shadow, branch=True),
-    _selecting("stay", (V,), (SHADOW,), shadows.stay, public=False),
-    _selecting("identity_jacobian", (V,), (JACOBIAN,), shadows.identity_jacobian, public=False),
-    _selecting("shadow_jacobian", (V,), (JACOBIAN,), shadows.shadow_jacobian, branch=True, at_rest="identity_jacobian"),
-    _selecting("principal", (V,), (SHADOW,), shadows.principal),
-    _selecting("compose", TWO, (V,), inverse.compose),
-    _selecting("between", TWO, (V,), inverse.between),
-    _selecting("compose_jacobians", TWO, BY_TWO, groups.compose_jacobians),
-    _selecting("between_jacobians", TWO, BY_TWO, groups.between_jacobians),
-    _by_exponential("retract", (V, DELTA), (MOVED_V,), retraction.retract),
-    _by_exponential("body_retract", (V, DELTA), (MOVED_V,), retraction.body_retract),
-    _by_exponential("retract_jacobians", (V, DELTA), BY_STEP, retraction.retract_jacobians),
-    _by_exponential("body_retract_jacobians", (V, DELTA), BY_STEP, retraction.body_retract_jacobians),
-    _by_exponential("local", TWO, (DELTA,), retraction.local),
-    _by_exponential("body_local", TWO, (DELTA,), retraction.body_local),
-    _by_exponential("interpolate", (*reversed(TWO), SHARE), (V,), retraction.interpolate),
-    Function("adjoint", (V,), (_jacobian("adjoint"),), groups.adjoint),
-    Function("transform_point_jacobians", (V, POINT), (BY_V_OF_POINT, BY_POINT), groups.transform_point_jacobians),
-    Function("transform_line_jacobians", (V, LINE), (BY_V, BY_LINE), groups.transform_line_jacobians, rotation=None),
-    _by_exponential("step_jacobians", (DELTA, *TWO), BY_TWO, retraction.step_jacobians, public=False),
-    _by_exponential("local_jacobians", TWO, BY_TWO, retraction.local_jacobians),
-    _by_exponential("body_local_jacobians", TWO, BY_TWO, retraction.body_local_jacobians),
+    _selecting("to_screw", (V,), (ANGLE, AXIS), shadows.to_screw, OF_AXIS, rotation="to_angle_axis"),
+    _selecting("angle", (V,), (ANGLE,), shadows.angle, OF_AXIS),
+    _selecting("to_exponential", (V,), (LOGARITHM,), shadows.to_exponential, RULE),
+    _selecting("from_exponential", (LOGARITHM,), (V,), shadows.from_exponential, RULE),
+    _selecting("turn", (V,), (SHADOW,), shadows.turn, RULE, public=False),
+    _selecting("shadow", (V,), (SHADOW,), shadows.shadow, RULE, branch=True),
+    _selecting("stay", (V,), (SHADOW,), shadows.stay, SMOOTH, public=False),
+    _selecting("identity_jacobian", (V,), (JACOBIAN,), shadows.identity_jacobian, SMOOTH, public=False),
+    replace(
+        _selecting("shadow_jacobian", (V,), (JACOBIAN,), shadows.shadow_jacobian, OF_AXIS, branch=True),
+        at_rest="identity_jacobian",
+    ),
+    _selecting("principal", (V,), (SHADOW,), shadows.principal, RULE),
+    _selecting("compose", TWO, (V,), inverse.compose, RULE),
+    _selecting("between", TWO, (V,), inverse.between, RULE),
+    _selecting("compose_jacobians", TWO, BY_TWO, inverse.compose_jacobians, RULE),
+    _selecting("between_jacobians", TWO, BY_TWO, inverse.between_jacobians, RULE),
+    _by_exponential("retract", (V, DELTA), (MOVED_V,), retraction.retract, RULE),
+    _by_exponential("body_retract", (V, DELTA), (MOVED_V,), retraction.body_retract, RULE),
+    _by_exponential("retract_jacobians", (V, DELTA), BY_STEP, retraction.retract_jacobians, RULE),
+    _by_exponential("body_retract_jacobians", (V, DELTA), BY_STEP, retraction.body_retract_jacobians, RULE),
+    _by_exponential("local", TWO, (DELTA,), retraction.local, RULE),
+    _by_exponential("body_local", TWO, (DELTA,), retraction.body_local, RULE),
+    _by_exponential("interpolate", (*reversed(TWO), SHARE), (V,), retraction.interpolate, RULE),
+    _smooth("adjoint", (V,), (_jacobian("adjoint"),), inverse.adjoint),
+    _smooth("transform_point_jacobians", (V, POINT), (BY_V_OF_POINT, BY_POINT), inverse.transform_point_jacobians),
+    _smooth("transform_line_jacobians", (V, LINE), (BY_V, BY_LINE), inverse.transform_line_jacobians, rotation=None),
+    _by_exponential("step_jacobians", (DELTA, *TWO), BY_TWO, retraction.step_jacobians, CHOICES, public=False),
+    _by_exponential("local_jacobians", TWO, BY_TWO, retraction.local_jacobians, CHOICES),
+    _by_exponential("body_local_jacobians", TWO, BY_TWO, retraction.body_local_jacobians, CHOICES),
 )
 
-_COMPOSED = (_selecting("switch", (V, V_DOT, COVARIANCE), (SHADOW, *SWITCHED), groups.switch),)
+_COMPOSED = (_selecting("switch", (V, V_DOT, COVARIANCE), (SHADOW, *SWITCHED), inverse.switch, CHOICES),)
 
 POSES = Table.of("", _ROWS, _COMPOSED)
 """Functions of a kernel module for poses."""
@@ -153,3 +174,73 @@ ROTATIONS = Table.of("rotation", *_REAL)
 FUNCTIONS: Mapping[str, Function] = POSES.functions
 KERNELS: Mapping[str, Function] = POSES.kernels
 PUBLIC: Mapping[str, Function] = POSES.public
+
+
+@cache
+def geometry(table: Table = POSES) -> Mapping[str, Program]:
+    """Return the geometry programs of a table by name. Geometry programs that they call are written out."""
+    return {name: written_out(row.traced()) for name, row in table.kernels.items()}
+
+
+@cache
+def printed_geometry(table: Table = POSES) -> Mapping[str, Program]:
+    """Return the shared geometry programs by name, in print order: each follows the programs that it calls."""
+    found: dict[str, Program] = {}
+
+    def add(program: Program) -> None:
+        for called in program.called:
+            add(called)
+        found.setdefault(program.name, program)
+
+    for row in table.kernels.values():
+        add(row.traced())
+    return found
+
+
+def shared_with_poses(table: Table) -> frozenset[str]:
+    """Return the names of helper programs that are equal for a table and for poses; empty for poses."""
+    found, poses = printed_geometry(table), printed_geometry(POSES)
+    same = (name for name in found.keys() - table.kernels.keys() if found[name] == poses.get(name))
+    return frozenset() if table is POSES else frozenset(same)
+
+
+@dataclass(frozen=True, slots=True)
+class ChartPrograms:
+    """Scalar programs of one chart that the functions of a ``table`` call."""
+
+    table: Table
+    scalars: Mapping[str, Program]
+    operations: Mapping[str, Counter[str]]  # operations of each function, its scalars included
+
+
+@lru_cache(maxsize=8)
+def lower_chart(chart: Chart, table: Table = POSES) -> ChartPrograms:
+    """Return the scalar programs that a table's functions call, and the operation counts of the functions."""
+    scalars, counted, called = scalar_programs(chart), {}, set()
+    for name, program in geometry(table).items():
+        functions = {call.function for call in program.calls}
+        if functions <= scalars.keys():
+            called |= functions
+            counted[name] = sum((scalars[call.function].operations for call in program.calls), program.operations)
+    return ChartPrograms(table, {name: program for name, program in scalars.items() if name in called}, counted)
+
+
+@dataclass(frozen=True, slots=True)
+class Lowered:
+    """Proved chart with its programs for poses and for rotations alone."""
+
+    proved: Proved
+    poses: ChartPrograms
+    rotations: ChartPrograms
+
+    @property
+    def chart(self) -> Chart:
+        return self.proved.formulas
+
+    @property
+    def name(self) -> str:
+        return self.chart.name
+
+
+def lower(proved: Proved) -> Lowered:
+    return Lowered(proved, lower_chart(proved.formulas, POSES), lower_chart(proved.formulas, ROTATIONS))

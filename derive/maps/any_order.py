@@ -46,7 +46,6 @@ class PowerSum(sympy.Sum):  # type: ignore[misc]  # SymPy is untyped
         return sympy.expand(symbol * self.function.diff(symbol) / self.function) - self.limits[0][0]
 
     def _terms(self, symbol: sympy.Symbol, below: int) -> sympy.Expr:
-        """Return the terms with powers of a symbol below the given one."""
         ((index, first, _),) = self.limits
         places = range(int(first), int(below - self._shift(symbol)))
         return sum((self.function.subs(index, place) for place in places), sympy.Integer(0))
@@ -72,22 +71,18 @@ def power_sum(coefficient: sympy.Expr, last: sympy.Expr, first: int = 0) -> symp
 
 
 def p_sum(n: sympy.Expr) -> sympy.Expr:
-    """Return p_n, CP23 (51)."""
     return power_sum((-1) ** k * choose(n, 2 * k), n / 2)
 
 
 def q_sum(n: sympy.Expr) -> sympy.Expr:
-    """Return q_n, CP23 (52)."""
     return power_sum((-1) ** k * choose(n, 2 * k + 1), (n - 1) / 2)
 
 
 def c_sum(n: sympy.Expr) -> sympy.Expr:
-    """Return the bracket c_n of dcay_n."""
     return power_sum(n * choose(n - 1, k) - (-1) ** k * choose(2 * n, 2 * k + 1) / 2, n - 1, 1)
 
 
 def d_sum(n: sympy.Expr) -> sympy.Expr:
-    """Return the bracket d_n of dcay_n⁻¹."""
     term = choose(n, 2 * k + 1) - choose(n, 2 * k - 1) - n * choose(n, 2 * k)
     return power_sum((-1) ** k * term, (n + 1) / 2, 1)
 
@@ -122,7 +117,6 @@ class AnyOrder(Cayley):
         return tuple(map(factored, tangent)), tuple(map(factored, tangent_inv))
 
     def _isotropic(self, closed_form: Callable[..., Any]) -> IsotropicMap:
-        """Return a map as printed in CP23, in p_n and q_n."""
         n, p, q, norm, name = self.n, self.p, self.q, (1 + x) ** self.n, closed_form.__name__
         f, g, half = 2 * p * q / norm, 2 * q**2 / norm, sympy.Rational(1, 2)
         printed = {

@@ -16,8 +16,7 @@ from typing import Any, ClassVar
 import sympy
 
 from ..algebra import Coefficient, Isotropic, Quaternion
-from ..algebra.arithmetic import Arithmetic
-from ..algebra.cayley_pairs import Pair, require_order
+from ..algebra.arithmetic import Arithmetic, Pair, require_order
 from ..algebra.latex import bracketed, latex
 from . import cayley_scalars, polynomials
 from .cayley_scalars import CHAIN_POWER, HORNER_LIMIT, CayleyScalars
@@ -25,9 +24,9 @@ from .chart import Followed
 from .chart_formulas import Map
 from .elementary import alpha
 from .formula import IsotropicMap, QuaternionMap
-from .noise import NOISE, near_turn
 from .order_charts import BranchesOfOrder, Derivatives, cayley_gain, near_pole, side_of_step
 from .polynomials import FIELD, Triple, rational, x
+from .real_constants import NOISE, near_turn
 
 EQUATIONS = {"quaternion": (50, 55), "tensor": (57,), "tangent": (88,), "tangent_inv": (89,)}
 """Numbers of the general equations of each map in CP23."""
@@ -77,6 +76,7 @@ class Cayley(BranchesOfOrder):
 
     order: int
     vector: ClassVar[str] = "Rodrigues dual vector"
+    operator: ClassVar[str] = "dcay"
     name: str = field(default="", repr=False)
     selection: tuple[str, str] = field(default=("", ""), repr=False)
 
@@ -278,7 +278,6 @@ def _definitions(n: int | sympy.Expr) -> dict[str, str]:
 
 
 def _power(exponent: int | sympy.Expr) -> str:
-    """LaTeX of a power of 1 + x."""
     if exponent == 0:
         return ""
     return "(1 + x)" if exponent == 1 else f"(1 + x)^{{{exponent}}}"

@@ -28,8 +28,7 @@ from operator import add, sub
 from typing import Any
 
 from ..algebra import Coefficient, Isotropic
-from ..algebra.arithmetic import PLAIN, Arithmetic
-from ..algebra.cayley_pairs import Pair, require_order
+from ..algebra.arithmetic import PLAIN, Arithmetic, Pair, require_order
 from . import polynomials
 from .order_charts import has_ladder
 from .polynomials import Triple, horner
@@ -240,7 +239,6 @@ class CayleyScalars:
 
 
 def scalars(n: int, at: Coefficient) -> CayleyScalars:
-    """Return the scalars of order n at a number x."""
     return CayleyScalars(require_order(n), at, PLAIN)
 
 

@@ -27,12 +27,10 @@ from typing import Any, ClassVar, NamedTuple, cast
 import sympy
 
 from ..algebra import Coefficient, Quaternion
-from ..algebra.arithmetic import Arithmetic, Marked
-from ..algebra.cayley_pairs import Pair
+from ..algebra.arithmetic import Arithmetic, Marked, Pair
 from .chart_formulas import ChartFormulas, Scalars
-from .noise import NOISE, NOISE_OF_STEPS, at_turn
 from .polynomials import Triple
-from .real_constants import SMALL, number, plus, times
+from .real_constants import NOISE, NOISE_OF_STEPS, SMALL, at_turn, number, plus, times
 
 
 class Followed(NamedTuple):
@@ -52,6 +50,7 @@ class Chart(ChartFormulas):
     selection: tuple[str, str]  # command-line option and its value, such as -n, 3
     title: str  # headline, such as "Cayley map of order 3"
     vector: ClassVar[str] = "dual vector"  # name of v in the field
+    operator: ClassVar[str] = ""  # name of T in the field, if any
     base: Chart | None = None  # chart of the vector w, with v = factor · w
     factor: Fraction = Fraction(1)  # factor of the base chart; 1 without one
 

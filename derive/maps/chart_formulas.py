@@ -201,7 +201,6 @@ class ChartFormulas(Typeset, ABC):
 
     @property
     def _at_zero(self) -> dict[str, tuple[sympy.Expr, ...]]:
-        """Coefficients of the maps at α = 0, by name."""
         tangent, tangent_inv = self.limits
         f, g, _ = tangent
         of_tensors = {"tensor": (sympy.Integer(1), f, g), "tangent": tangent, "tangent_inv": tangent_inv}

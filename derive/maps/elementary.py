@@ -80,7 +80,6 @@ class Quotient(sympy.Function):  # type: ignore[misc]  # SymPy is untyped
 
     @property
     def power(self) -> int:
-        """Power k of the angle."""
         return int(self.args[1])
 
     @property
@@ -175,7 +174,6 @@ class _Reader:
         self._symbol, self._places = symbol, {symbol: 0}
 
     def place(self, e: sympy.Expr) -> int:
-        """Return the index of the step that computes an expression."""
         if e not in self._places:
             step = self._step(e)
             self._places[e] = len(self.steps)

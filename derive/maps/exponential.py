@@ -37,8 +37,7 @@ import mpmath
 import sympy
 
 from ..algebra import Coefficient, Quaternion
-from ..algebra.arithmetic import Arithmetic
-from ..algebra.cayley_pairs import Pair
+from ..algebra.arithmetic import Arithmetic, Pair
 from . import order_charts
 from .elementary import alpha
 from .order_charts import Derivatives, half_angle, half_cosine, half_sine, kept_inside
@@ -201,6 +200,7 @@ class ExponentialScalars(DependentScalars):
     ai = 2
     ratey = 0
     rateyy = 0
+    principal = False  # True if α is at most π
 
     _near = scalar(lambda at: at.m.less(at.x, LIMIT), "nearby")
 
@@ -227,21 +227,17 @@ class ExponentialScalars(DependentScalars):
         versine = self.m.name("versine", self.m.where(self.m.less(tt, 16), 2 * tt / below, 2 - 2 / below))
         return sine + self._lost * (1 - versine), versine + self._lost * sine
 
-    # (α² − root²)/2α, with the rounded root of x, and α² as the exact sum of squares before rounding to x
-    _lost = scalar(lambda at: at._left / (2 * at._angle), "lost")
-
-    @property
-    def _left(self) -> Coefficient:
-        """Difference ``α² − root²``, by terms that are exact up to α = 8.
+    @cached_property
+    def _lost(self) -> Coefficient:
+        """Rounding error ``(α² − root²)/2α`` of the root, by terms that are exact up to α = 8; α² is not rounded to x.
 
         Beyond 8 the result is 0: the error may be a large angle, and a corrected R would be no rotation.
         """
         beside = self.m.name("beside", self._angle - 4)
         left = (self._square - 16) - 8 * beside - beside * beside
-        return self._bounded(self.m.name("left", left + self.m.rounded_off(self.x)))
-
-    def _bounded(self, left: Coefficient) -> Coefficient:
-        return self.m.where(self.m.less(self._angle, 8), left, 0)
+        left = self.m.name("left", left + self.m.rounded_off(self.x))
+        left = left if self.principal else self.m.where(self.m.less(self._angle, 8), left, 0)
+        return self.m.name("lost", left / (2 * self._angle))
 
     s = scalar(lambda at: at.m.where(at._near, at._near_zero.C0, at._circular[0]))
     w = scalar(lambda at: at.m.where(at._near, at.m.div(at._near_zero.C1, 2), at._circular[1]))
@@ -255,8 +251,7 @@ class ExponentialScalars(DependentScalars):
 class PrincipalScalars(ExponentialScalars):
     """Scalars up to half a turn, the range of the logarithm."""
 
-    def _bounded(self, left: Coefficient) -> Coefficient:
-        return left
+    principal = True
 
 
 class StepScalars(ExponentialScalars):
@@ -273,6 +268,7 @@ class Exponential(AngleChart):
     selection: tuple[str, str] = ("--family", "exponential")
     title: str = "Exponential map"
     vector: ClassVar[str] = "Euler dual vector"
+    operator: ClassVar[str] = "dexp"
 
     @property
     def phi(self) -> sympy.Expr:

@@ -137,12 +137,6 @@ class IsotropicMap(Formula):
 
     basis = BASIS
 
-    @property
-    def isotropic(self) -> Isotropic:
-        """Formula as an element of the algebra {I, skew(v), v⊗v} over the rational functions of x."""
-        a, b, c = self.coefficients
-        return Isotropic(a, b, c, x)
-
     def _at(self, v: Vector, coefficients: tuple[Dual, ...]) -> Tensor:
         a, b, c = coefficients
         return Isotropic(a, b, c, v.dot(v)).tensor(v)

@@ -20,8 +20,7 @@ from typing import Any
 import sympy
 
 from ..algebra import Coefficient, Quaternion
-from ..algebra.arithmetic import Arithmetic
-from ..algebra.cayley_pairs import Pair
+from ..algebra.arithmetic import Arithmetic, Pair
 from .chart import Chart, Followed
 from .chart_formulas import Scalars
 from .order_charts import Derivatives

@@ -12,12 +12,11 @@ from typing import Any, TypeAlias
 
 import sympy
 
-from ..algebra.cayley_pairs import require_order
+from ..algebra.arithmetic import require_order
 from .any_phi.edges import edge_of, require_values
 from .any_phi.expressions import expression_of, left_out, multiple_of_known, parity
 from .any_phi.general import General
 from .any_phi.regular import regular
-from .breusing import Breusing
 from .cayley import Cayley
 from .chart import Chart
 from .elementary import elementary
@@ -25,7 +24,7 @@ from .exponential import Exponential
 from .grammar import PhiError, spelled
 from .multiple import Multiple
 from .real_constants import is_small
-from .sine import Sine
+from .sine import Breusing, Sine
 
 Base: TypeAlias = Cayley | Sine | Breusing | Exponential
 Named: TypeAlias = Base | Multiple

@@ -11,13 +11,12 @@ import mpmath
 import sympy
 
 from ..algebra import Coefficient, Quaternion
-from ..algebra.arithmetic import Arithmetic
-from ..algebra.cayley_pairs import Pair
+from ..algebra.arithmetic import Arithmetic, Pair
 from . import polynomials
 from .chart import Chart, Followed
 from .elementary import alpha
-from .noise import NOISE, NOISE_GIVEN
 from .polynomials import Triple
+from .real_constants import NOISE, NOISE_GIVEN
 from .scalars import QuaternionChart
 
 Derivatives: TypeAlias = Triple
@@ -52,13 +51,11 @@ def beyond(x: Coefficient, table: Sequence[Coefficient], m: Arithmetic) -> tuple
 
 
 def turn(n: int, branch: int) -> tuple[Any, Any]:
-    """Return cosine and sine of kπ/n."""
     step = mpmath.mpf(branch) / n
     return mpmath.cospi(step), mpmath.sinpi(step)
 
 
 def square(phi: sympy.Expr, angle: sympy.Expr) -> Any:
-    """Return φ² of an angle, in the working precision of mpmath."""
     return mpmath.mpf(phi.subs(alpha, angle).evalf(mpmath.mp.dps + 5)) ** 2
 
 

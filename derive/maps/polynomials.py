@@ -6,7 +6,7 @@ in X; here they are functions of x:
 .. math::
     p_1 = q_1 = 1, \quad p_{n+1} = p_n - x\,q_n, \quad q_{n+1} = q_n + p_n \qquad \text{CP23 (56)}
 
-The recurrence is the definition; `derive.algebra.cayley_pairs` evaluates it at any number. The binomial sums CP23 (51),
+The recurrence is the definition; `derive.algebra.arithmetic` evaluates it at any number. The binomial sums CP23 (51),
 (52), the addition law and the closed forms of c_n and d_n are theorems. `any_order` computes them independently.
 """
 
@@ -18,7 +18,7 @@ from typing import Any, TypeAlias
 import sympy
 
 from ..algebra import Coefficient, Dual, dual_part, real_part
-from ..algebra.cayley_pairs import Pair, pair, pair_by_squaring, require_order
+from ..algebra.arithmetic import Pair, pair, pair_by_squaring, require_order
 
 x = sympy.Symbol("x")
 """Square ``v · v`` of the parameter vector, a dual number."""

@@ -19,11 +19,10 @@ from functools import cached_property
 from typing import Any
 
 from ..algebra import Coefficient
-from ..algebra.arithmetic import Arithmetic
-from ..algebra.cayley_pairs import Pair
+from ..algebra.arithmetic import Arithmetic, Pair
 from .chart import Chart
-from .noise import NOISE, near_turn
 from .polynomials import Triple
+from .real_constants import NOISE, near_turn
 
 
 class scalar:

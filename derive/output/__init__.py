@@ -4,6 +4,6 @@ This package contains no mathematics and imports no other package of the toolkit
 """
 
 from .files import Difference, RefusedError, compare, write
-from .templates import generated, render, source
+from .pages import generated, render, source
 
 __all__ = ["Difference", "RefusedError", "compare", "generated", "render", "source", "write"]

@@ -48,7 +48,6 @@ def locked(folder: Path) -> Iterator[None]:
 
 
 def encoded(content: str | bytes) -> bytes:
-    """Return the bytes of a file."""
     return content.encode("utf-8") if isinstance(content, str) else content
 
 

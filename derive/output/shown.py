@@ -99,7 +99,6 @@ def no_op(line: str) -> None:
 
 
 def silent(total: int) -> AbstractContextManager[Step]:
-    """Provide a function that reports nothing."""
     return nullcontext(no_op)
 
 

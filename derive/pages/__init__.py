@@ -1,1 +1,1 @@
-"""Pages that commands write: theorems with controls, the formula sheet, formulas in use, charts side by side."""
+"""Pages that commands write: the formula sheet, charts side by side, explanations of functions."""

@@ -18,7 +18,7 @@ import sympy
 
 from .. import about
 from ..codegen import catalogue
-from ..codegen.lowered import lower_chart
+from ..codegen.signatures import lower_chart
 from ..maps import PhiError
 from ..maps.chart import Chart
 from ..maps.elementary import alpha, evaluate
@@ -57,11 +57,6 @@ class Stretch:
     def condition(self) -> float:
         """Quotient of the largest and the smallest singular value."""
         return max(self.along, self.across) / min(self.along, self.across)
-
-    @property
-    def worst(self) -> float:
-        """Largest factor between a singular value and 1."""
-        return max(self.along, self.across, 1 / self.along, 1 / self.across)
 
 
 def stretch(phi: sympy.Expr, angle: float) -> Stretch:

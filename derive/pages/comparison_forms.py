@@ -49,7 +49,6 @@ def measured(compared: Sequence[Compared], what: str) -> Table:
 
 
 def cost(compared: Sequence[Compared]) -> Table:
-    """Return a table of the numbers of operations, by function."""
     return ["chart", *COUNTED], [[row.chart.name, *map(number, row.operations.values())] for row in compared]
 
 

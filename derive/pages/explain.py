@@ -14,12 +14,11 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Literal, NamedTuple
 
-from ..codegen.lowered import geometry, lower_chart
-from ..codegen.lowering.scalar_programs import FORMULAS
 from ..codegen.rows import Function
-from ..codegen.signatures import PUBLIC
+from ..codegen.signatures import PUBLIC, geometry, lower_chart
+from ..codegen.targets.python import formulas_of
 from ..maps.chart import Chart
-from ..proof import Proof, shown, theorems
+from ..proof import Proof, theorems
 from ..proof.phi_theorems import any_phi
 
 
@@ -173,18 +172,13 @@ def explain(chart: Chart, function: str) -> Explanation:
     called = list(dict.fromkeys(calls))
     return Explanation(
         row.name, chart, PUBLIC[row.kernel].traced().contract,
-        scalars={name: _formula(chart, name) for name in called},
+        scalars={name: "; ".join(formulas_of(name, chart)) for name in called},
         theorems=_rests_on(chart, row),
         validation="; validated only: ".join(filter(None, (covered.validation, covered.only_validated))),
         operations={row.kernel: kernel.operations, **{name: scalars[name].operations for name in called}},
         total=kernel.operations.total() + sum(scalars[name].operations.total() for name in calls),
         places=tuple(_places(chart, row, called)),
     )  # fmt: skip
-
-
-def _formula(chart: Chart, name: str) -> str:
-    every, of_order, _ = FORMULAS[name]
-    return "; ".join([shown(every), *([shown(of_order, chart.cayley)] if chart.cayley and of_order else [])])
 
 
 def _rests_on(chart: Chart, row: Function) -> tuple[Proof, ...]:

@@ -18,10 +18,10 @@ from ..maps.exponential import Exponential
 from ..maps.formula import Formula
 from ..maps.polynomials import x
 from ..proof.identity import Equation, Proof
+from ..proof.methods import Theorem, decided
 from ..proof.notation import beta, latex, n, prime, r_k, text
 from ..proof.phi_theorems import phi, phi_1, phi_2, psi, psi_1, rho
 from ..proof.proved import CLAIMS, proofs, require
-from ..proof.theorem import Theorem, decided
 
 ORDERS = (1, 2, 3)
 """Orders whose explicit formulas the sheet shows."""
@@ -158,7 +158,6 @@ def sheet(claimed: Iterable[Theorem] | None = None) -> tuple[Page, ...]:
 
 
 def proved(proof: Proof) -> Proof:
-    """Return the proof; raise `ProofFailed` if it failed."""
     require((proof,))
     return proof
 
@@ -240,6 +239,5 @@ def _map(formula: Formula, proof: Proof) -> Line:
 
 
 def _values(values: Mapping[str, sympy.Expr], proof: Proof) -> Line:
-    """Return one line with several functions of x, by their LaTeX names."""
     shown = (f"{name} = {latex(sympy.factor(value))}" for name, value in values.items())
     return Line(tuple(shown), proved(proof).title)

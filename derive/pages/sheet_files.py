@@ -11,7 +11,7 @@ from pathlib import Path
 
 from .. import about
 from ..output import files
-from ..output.templates import render
+from ..output.pages import render
 from ..workers import SlowError, run, scratch
 from .sheet import sheet
 
@@ -58,7 +58,6 @@ def pieces(latex: str) -> Iterator[str]:
 
 
 def write_html(output: Path) -> None:
-    """Write the sheet as HTML."""
     files.put(output, page())
 
 

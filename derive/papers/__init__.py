@@ -70,7 +70,6 @@ class Package(Paper):
 
 
 def registered(slug: str) -> Paper:
-    """Return a paper of this folder: a file of claims, or a package."""
     name = slug.replace("-", "_")
     file = Path(__file__).parent / f"{name}.toml"
     if not file.exists():

@@ -1,6 +1,6 @@
 """Exact proofs of identities, for every order n at once and, independently, at each requested order.
 
-Read `notation`, `statement`, `theorem`, `methods`, then the modules of theorems. `proved` collects all proofs.
+Read `notation`, `identity`, `methods`, then the modules of theorems. `proved` collects all proofs.
 """
 
 from __future__ import annotations

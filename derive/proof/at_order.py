@@ -13,7 +13,7 @@ from typing import Any
 
 import sympy
 
-from ..algebra import cayley_pairs
+from ..algebra import arithmetic
 from ..maps import Cayley, any_order, cayley_scalars, polynomials
 from .evaluation import NoValueError, tangent, tangent_inv, tensor
 from .identity import Checks, Equation, Proof, decide
@@ -35,8 +35,8 @@ PAIRS = {"multiply": "pq", "pair_by_squaring": "pq", "brackets": "cd"}
 FORMS = ("quaternion", "tensor", "tangent", "tangent_inv")
 FUNCTIONS: Mapping[str, Function] = {
     **{name: getattr(any_order, name) for name in SUMS},
-    "multiply": cayley_pairs.multiply,
-    "pair_by_squaring": cayley_pairs.pair_by_squaring,
+    "multiply": arithmetic.multiply,
+    "pair_by_squaring": arithmetic.pair_by_squaring,
     "brackets": polynomials.brackets,
     **{name: getattr(cayley_scalars, name) for name in FORMS},
     "singular_angles": polynomials.singular_angles,
@@ -52,7 +52,7 @@ class AtOrder:
         self.order = order
         self.ring = Ring(root=1)
         self.x, root = self.ring.x, self.ring.generator**order
-        p_n, q_n = map(self.ring.element, cayley_pairs.pair(order, self.x))
+        p_n, q_n = map(self.ring.element, arithmetic.pair(order, self.x))
         power = (1 + self.x) ** order
         tensors = {R: tensor, dcay: tangent, dcay_inv: tangent_inv}
         self.values: Mapping[sympy.Expr, tuple[Any, ...]] = {
@@ -110,7 +110,7 @@ def instances(cayley: Cayley) -> tuple[Proof, ...]:
 def computations(order: int, functions: Mapping[str, Function] = FUNCTIONS) -> tuple[Proof, ...]:
     """Prove that functions (sums, pairs, closed forms, singular angles) agree with the theorems at an order."""
     at = at_order(order)
-    halves = [cayley_pairs.pair(k, at.x) if k else (1, 0) for k in (order // 2, order - order // 2)]
+    halves = [arithmetic.pair(k, at.x) if k else (1, 0) for k in (order // 2, order - order // 2)]
     arguments = {"multiply": (*halves, at.x), **dict.fromkeys(SUMS, (sympy.Integer(order),))}
 
     def computed(name: str, place: int = 0) -> tuple[Any, ...]:
@@ -131,7 +131,6 @@ def computations(order: int, functions: Mapping[str, Function] = FUNCTIONS) -> t
 
 
 def _coefficients(found: Any) -> tuple[Any, ...]:
-    """Return the coefficients of a quaternion, tensor or operator; a polynomial counts as one coefficient."""
     return found if isinstance(found, tuple) else tuple(getattr(found, "coefficients", (found,)))
 
 

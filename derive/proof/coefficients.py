@@ -24,8 +24,8 @@ import sympy
 
 from ..algebra.exact import RationalFunctions
 from .identity import Checks, Equation, definition
+from .methods import Method, Theorem
 from .notation import Shifted, j, n, text, x
-from .theorem import Method, Theorem
 
 POLYNOMIALS = RationalFunctions(("n", "j"))
 VALUES = {symbol: POLYNOMIALS.symbol(symbol.name) for symbol in (n, j)}
@@ -231,7 +231,6 @@ def _polynomial(factor: sympy.Expr) -> Any:
 
 
 def _written_out(e: sympy.Expr, rule: sympy.Expr) -> sympy.Expr:
-    """Return an expression with its binomials written out by the rule."""
     binomials = e.atoms(sympy.binomial)
     return e.xreplace({b: rule.xreplace({upper: b.args[0], lower: b.args[1]}) for b in binomials})
 

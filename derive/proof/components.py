@@ -107,15 +107,12 @@ class Components:
         self.rotation = np.array([self.sandwich(unit)[1:] for unit in self.identity[1:]]).T  # |z|² R
 
     def defined(self) -> Array:
-        """Return (1 + v)ⁿ."""
         return self.power(self.one_plus_v)
 
     def sandwich(self, r: Array) -> Array:
-        """Return z r z*."""
         return hamilton(hamilton(self.z, r), _conjugate(self.z))
 
     def power(self, base: Array) -> Array:
-        """Return the n-th power of a quaternion."""
         result = self.identity[0]
         for bit in f"{self.cayley.order:b}":
             result = hamilton(result, result)
@@ -215,7 +212,6 @@ class Components:
 
 
 def _checks(label: str, value: Any) -> Checks:
-    """Yield both parts of a dual number, or of every entry of an array."""
     for place, entry in np.ndenumerate(value):
         yield f"{label}{list(place) or ''}, real part", entry.re
         yield f"{label}{list(place) or ''}, dual part", entry.du

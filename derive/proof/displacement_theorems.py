@@ -12,10 +12,9 @@ import sympy
 from .evaluation import defined, tangent, tensor
 from .identity import Equation, Premise, definition
 from .map_theorems import ANGLES, ONE, ORIGIN_P, QUATERNION, ROOT, SLOPES, SQUARE, TANGENT, TENSOR, pairs, turning
-from .methods import determined, identity
+from .methods import Theorem, determined, identity
 from .notation import *
 from .setting import Symbols
-from .theorem import Theorem
 
 ZERO = Equation(alpha, 0)
 UNIT = definition(dot(u, u), 1)

@@ -21,11 +21,11 @@ from ..algebra import (
     Structure,
     Tensor,
     Vector,
-    cayley_pairs,
+    arithmetic,
     dual_part,
     functions,
-    mixed,
     real_part,
+    structures,
 )
 from ..algebra.first_principles import tensor_by_sandwich
 from . import notation
@@ -97,19 +97,19 @@ class NoValueError(ArithmeticError):
 
 MEANING: Mapping[Any, Callable[..., Any]] = {
     notation.transpose: lambda a: a.transpose,
-    notation.conjugate: lambda a: mixed.quaternion(a).conjugate(),
+    notation.conjugate: lambda a: structures.quaternion(a).conjugate(),
     notation.skew: Tensor.skew,
     notation.vect: lambda a: a.vect(),
     notation.cross: lambda a, b: a.cross(b),
     notation.dyad: Tensor.dyad,
-    notation.sandwich: lambda a: tensor_by_sandwich(mixed.quaternion(a)),
+    notation.sandwich: lambda a: tensor_by_sandwich(structures.quaternion(a)),
     notation.first_order: compose_first_order,
     notation.second_order: compose_second_order,
     notation.real: lambda a: a.map(real_part),
     notation.dual: lambda a: a.map(dual_part),
     notation.det: lambda a: a.det(),
     notation.dot: lambda a, b: a.dot(b),
-    notation.norm2: lambda a: mixed.quaternion(a).norm2(),
+    notation.norm2: lambda a: structures.quaternion(a).norm2(),
 }
 """Functions on values of the algebra, by their operator in statements."""
 
@@ -122,11 +122,9 @@ class Evaluation:
         self.definitions: dict[sympy.Expr, sympy.Expr] = {}  # of further symbols and terms
 
     def number(self, value: Fraction) -> Any:
-        """Return a rational number as a value."""
         return value
 
     def differentiated(self, by: Any, value: Any) -> Any:
-        """Return the derivative of a value by the operator `rate` or `prime`."""
         raise NoValueError("no premise gives a derivative")
 
     def power(self, base: sympy.Expr, exponent: sympy.Expr) -> Any:
@@ -134,16 +132,14 @@ class Evaluation:
         raise NoValueError(f"no premise defines {notation.text(base**exponent)}")
 
     def value(self, expression: sympy.Expr) -> Any:
-        """Return the value of an expression: a number, vector, quaternion or tensor."""
         if expression not in self.values:
             self.values[expression] = self._evaluated(expression)
         return self.values[expression]
 
     def sides(self, equation: Equation) -> list[tuple[Any, Any]]:
-        """Return the pairs of left and right components of an equation."""
         left, right = self.value(equation.left), self.value(equation.right)
         if type(left) is not type(right) and (isinstance(left, Structure) or isinstance(right, Structure)):
-            left, right = mixed.quaternion(left), mixed.quaternion(right)
+            left, right = structures.quaternion(left), structures.quaternion(right)
         return list(zip(flat(left), flat(right), strict=True))
 
     def _evaluated(self, e: sympy.Expr) -> Any:
@@ -152,11 +148,11 @@ class Evaluation:
         if e.is_Rational:
             return self.number(Fraction(int(e.p), int(e.q)))
         if e.is_Add:
-            return reduce(mixed.add, map(self.value, e.args))
+            return reduce(structures.add, map(self.value, e.args))
         if e.is_Mul:
             numbers, others = e.args_cnc()
             parts = filter(None, (others, numbers))
-            return reduce(operator.mul, (reduce(mixed.multiply, map(self.value, part)) for part in parts))
+            return reduce(operator.mul, (reduce(structures.multiply, map(self.value, part)) for part in parts))
         if e.is_Pow:
             return self._integer_power(self.value(e.base), int(e.exp)) if e.exp.is_Integer else self.power(*e.args)
         if e.func in (notation.rate, notation.prime):
@@ -169,17 +165,15 @@ class Evaluation:
     def _integer_power(value: Any, exponent: int) -> Any:
         if not isinstance(value, Structure):
             return value**exponent
-        power: Any = reduce(mixed.multiply, [value] * abs(exponent))
+        power: Any = reduce(structures.multiply, [value] * abs(exponent))
         return power if exponent > 0 else power.inverse()
 
 
 def flat(value: Any) -> list[Any]:
-    """Return the components of a value."""
     return [value] if not isinstance(value, Structure) else list(cast(Iterable[Any], value))
 
 
 def mapped(function: Callable[[Any], Any], value: Any) -> Any:
-    """Apply a function to a number, or to every component."""
     return cast(Any, value).map(function) if isinstance(value, Structure) else function(value)
 
 
@@ -194,7 +188,7 @@ class AtPoint(Evaluation):
         self.n = n
         v = Vector.dual(map(sympy.Integer, PLACE), map(sympy.Integer, SPEED))
         x = v.dot(v)
-        p, q = (Dual(sympy.Integer(1)) * value for value in cayley_pairs.pair_by_squaring(n, x))
+        p, q = (Dual(sympy.Integer(1)) * value for value in arithmetic.pair_by_squaring(n, x))
         root = functions.sqrt(1 + x)
         tensors = {m.R: tensor, m.dcay: tangent, m.dcay_inv: tangent_inv}
         values = {symbol: Isotropic(*formula(n, x, p, q), x).tensor(v) for symbol, formula in tensors.items()}

@@ -85,7 +85,6 @@ class Premise:
 def definition(
     left: sympy.Expr, right: sympy.Expr | int, numbers: tuple[int, ...] = (), wrong: sympy.Expr | None = None
 ) -> Premise:
-    """Return the definition of a symbol or a term."""
     return Premise(Equation(left, right, numbers, wrong))
 
 

@@ -8,15 +8,14 @@ from __future__ import annotations
 
 import sympy
 
-from ..algebra.cayley_pairs import FIRST, double, following, multiply
+from ..algebra.arithmetic import FIRST, double, following, multiply
 from ..maps import polynomials
 from .coefficients import BINOMIAL, Coefficients
 from .evaluation import defined, tangent, tangent_inv, tensor
 from .identity import Equation, Premise, definition
-from .methods import determined, identity
+from .methods import Theorem, determined, identity
 from .notation import *
 from .setting import Symbols
-from .theorem import Theorem
 
 ONE = Equation(n, 1)
 """Index at the start of sequences."""
@@ -77,7 +76,6 @@ DOUBLING = identity(
 
 
 def _slope(e: sympy.Expr) -> sympy.Expr:
-    """Return the derivative by x of an expression in x, p_n(x) and q_n(x)."""
     return e.diff(x) + e.diff(p) * prime(p) + e.diff(q) * prime(q)
 
 
@@ -153,7 +151,6 @@ TURN, RISE = sympy.cos(theta), sympy.sin(theta)
 
 
 def turning(angle: sympy.Symbol) -> tuple[Premise, ...]:
-    """Return the recurrences of cosine and sine of nθ."""
     cosine, sine, turn, rise = sympy.cos(n * angle), sympy.sin(n * angle), sympy.cos(angle), sympy.sin(angle)
     return recurring(n, (cosine, turn, turn * cosine - rise * sine), (sine, rise, rise * cosine + turn * sine))
 

@@ -179,7 +179,6 @@ class _Typeset(LatexPrinter):  # type: ignore[misc]
 
 @lru_cache(maxsize=4096)  # theorems print the same equation for each premise
 def text(expression: sympy.Expr) -> str:
-    """Return an expression as plain text."""
     return str(_Text({"order": "rev-lex"}).doprint(expression))
 
 

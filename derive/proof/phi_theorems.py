@@ -18,10 +18,9 @@ import sympy
 
 from .calculus_theorems import rate_jacobian_of, transition
 from .identity import Equation, Proof, definition
-from .methods import identity
+from .methods import Theorem, decided, identity
 from .notation import *
 from .setting import Symbols
-from .theorem import Theorem, decided
 
 SCOPE = "every phi"
 
@@ -30,7 +29,8 @@ cosine, sine = sympy.symbols("cos(alpha/2) sin(alpha/2)")
 psi, psi_1 = sympy.symbols("psi psi'")
 T, T_inv, other_T, other_v, change = map(structure, ("T", "T^-1", "T(w)", "w", "C"))
 s, w, f, g, h, fi, hi, rho = sympy.symbols("s w f g h fi hi rho")
-g_exp, h_exp, share, gain, size, scalar_part, vector_part = sympy.symbols("g_exp h_exp share gain size e_0 |vec(e)|^2")
+g_exp, h_exp, hy_exp, share = sympy.symbols("g_exp h_exp hy_exp share")
+gain, size, scalar_part, vector_part = sympy.symbols("gain size e_0 |vec(e)|^2")
 turning, growing = sympy.symbols("alpha_dot size_dot")
 
 SIN, COS = 2 * sine * cosine, 1 - 2 * sine**2
@@ -186,7 +186,7 @@ def y(value: sympy.Expr) -> sympy.Expr:
 def _of_slopes() -> tuple[Theorem, ...]:
     gy, fiy = f * h - g**2, -h / g
     first = (
-        Equation(f + x * h, rho),
+        Equation(rho, f + x * h),
         Equation(fi, s / w),
         Equation(hi, (g - fi * h) / rho),
         Equation(y(s), -rho * w / 2),
@@ -197,6 +197,7 @@ def _of_slopes() -> tuple[Theorem, ...]:
         Equation(y(fi), fiy),
         Equation(y(hi), (gy - fiy * h - fi * y(h) - hi * y(rho)) / rho),
         Equation(y(rho), RATE_SLOPE),
+        Equation(y(rho), y(f) + 2 * h + x * y(h)),
     )
     second = (
         Equation(y(y(f)), y(h) - y(rho) * g - rho * gy),
@@ -204,7 +205,7 @@ def _of_slopes() -> tuple[Theorem, ...]:
         Equation(y(y(h)), (y(y(rho)) - 5 * y(h) + y(rho) * g + rho * gy) / x),
         Equation(y(y(s)), -(y(rho) * w + rho * y(w)) / 2),
         Equation(y(y(w)), (y(s) * h + s * y(h)) / 2 - 3 * w**2 * y(w)),
-        Equation(y(y(fi)), -(y(h) * g - h * gy) / g**2),
+        Equation(y(y(fi)), (y(y(f)) - 2 * y(fi) * y(g) - fi * y(y(g))) / g),
         Equation(
             y(y(hi)),
             (
@@ -212,9 +213,11 @@ def _of_slopes() -> tuple[Theorem, ...]:
             ) / rho,
         ),
         Equation(y(y(rho)), (3 * phi_2**2 / phi_1 - phi_3 + phi_2 * phi_1 / phi) / (phi**2 * phi_1**4)),
+        Equation(y(y(rho)), y(y(f)) + 4 * y(h) + x * y(y(h))),
     )
     third = (
-        Equation(y(y(y(f))), y(y(h)) - y(y(g)) * rho - 2 * y(g) * RATE_SLOPE - g * second[-1].right),
+        *(equation for equation in (*first, *second) if equation.right.has(phi_2)),
+        Equation(y(y(y(f))), y(y(h)) - y(y(g)) * rho - 2 * y(g) * y(rho) - g * y(y(rho))),
         Equation(y(y(y(g))), y(y(f)) * h + 2 * y(f) * y(h) + f * y(y(h)) - 2 * (y(g) ** 2 + g * y(y(g)))),
     )
     at_constant_rate = Equation(y(y(y(h))), -(y(y(y(f))) + 6 * y(y(h))) / x)
@@ -239,32 +242,34 @@ def _of_shares() -> Iterator[Theorem]:
         definition(prime(alpha), 1 / TURN),
         definition(g_exp, (1 - COS) / alpha**2),
         definition(h_exp, (1 - SIN / alpha) / alpha**2),
+        definition(hy_exp, (g_exp - 3 * h_exp) / alpha**2),
     )
     symbols = Symbols((alpha, *SYMBOLS), (), (phi, phi_1, alpha))
     given = SCALARS[5], *OF_ANGLE, OF_PHI[0], *SQUARES[::2]
-    hy_exp, slope = (g_exp - 3 * h_exp) / alpha**2, h - share**3 * h_exp
-    hy = (RATE_SLOPE - 3 * h + rho * g) / x
-    bend = hy - 3 * share**2 * slope * h_exp - share**4 * rho * hy_exp
+    rate_slope = Equation(y(rho), RATE_SLOPE)
+    bend = y(h) - 3 * share**2 * y(share) * h_exp - share**4 * rho * hy_exp
     yield identity(
-        "any phi: share of the angle", symbols, (Equation(y(share), slope), Equation(y(y(share)), bend)),
-        definition(share, alpha / phi), *SCALARS[2:5:2], *given, *of_exp, scope=SCOPE,
+        "any phi: share of the angle", symbols,
+        (rate_slope, Equation(y(share), h - share**3 * h_exp), Equation(y(y(share)), bend)),
+        definition(share, alpha / phi), SCALARS[2], *given, *of_exp, scope=SCOPE,
     )  # fmt: skip
 
     def by_square(value: sympy.Expr) -> sympy.Expr:
         return y(value) * share * phi_1
 
-    rest, bend = h_exp - share**3 * h, -(phi_1**3) * share * RATE_SLOPE
+    rest, bend = h_exp - share**3 * h, by_square(phi_1)
     change = hy_exp - 3 * share**2 * by_square(share) * h - share**4 * phi_1 * y(h)
     yield identity(
         "any phi: share of the vector", symbols,
         (
+            rate_slope,
             Equation(by_square(share), phi_1 * rest),
             Equation(by_square(share), (phi_1 - share) / alpha**2),
-            Equation(by_square(phi_1), bend),
+            Equation(bend, -(phi_1**3) * share * y(rho)),
             Equation(by_square(by_square(share)), bend * rest + phi_1 * change),
             Equation(by_square(by_square(share)), (bend - 3 * by_square(share)) / alpha**2),
         ),
-        definition(share, phi / alpha), *given, *of_exp, scope=SCOPE,
+        definition(share, phi / alpha), SCALARS[2], *given, *of_exp, scope=SCOPE,
     )  # fmt: skip
 
 
@@ -284,7 +289,7 @@ def _of_gain() -> Theorem:
     rate_of_scalar = growing * cosine - size * sine * turning / 2
     half_rate = size * sine * (growing * sine + size * cosine * turning / 2)
     along = gain * scalar_part * hi - 1
-    change = along * half_rate - (scalar_part + gain * vector_part * hi) * rate_of_scalar
+    change = along * rate(vector_part) / 2 - (scalar_part + gain * vector_part * hi) * rate(scalar_part)
     return identity(
         "any phi: rate of the gain", Symbols((cosine, sine, phi, phi_1, size, turning, growing), (), (sine, phi, size)),
         (

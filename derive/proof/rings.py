@@ -54,7 +54,6 @@ class DifferentialRing(RationalFunctions):
         self.bases: dict[sympy.Expr, Polynomial] = {}  # base of each power with a variable exponent, by its symbol
 
     def generator(self, symbol: sympy.Symbol) -> Element:
-        """Return the generator of a symbol."""
         return Element(self, self.library.generators[self.symbols[symbol]], self.library.one)
 
     def place(self, element: Element) -> int | None:
@@ -96,7 +95,6 @@ class DifferentialRing(RationalFunctions):
         return sympy.Add(*terms)
 
     def occurring(self, a: Polynomial) -> set[sympy.Symbol]:
-        """Return the symbols in a polynomial."""
         return {symbol for symbol, degree in zip(self.symbols, a.degrees(), strict=True) if degree > 0}
 
     def is_free(self, a: Polynomial) -> bool:

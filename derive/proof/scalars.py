@@ -121,7 +121,6 @@ class ScalarProofs:
         return values | {a: size_s, b: size_w, x: at_x}
 
     def proofs(self) -> Iterator[Proof]:
-        """Decide the statements one after the other."""
         statements = {
             "scalars as lowered": STATED, "scalars": RELATIONS, "slopes": DERIVATIVES,
             "second slopes": SECOND_DERIVATIVES,

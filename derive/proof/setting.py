@@ -19,7 +19,7 @@ from typing import Any
 
 import sympy
 
-from ..algebra import Dual, Vector, dual_part, mixed, real_part
+from ..algebra import Dual, Vector, dual_part, real_part, structures
 from ..algebra.element import Element
 from . import notation
 from .evaluation import MEANING, Evaluation, NoValueError, flat, mapped
@@ -100,7 +100,6 @@ class Setting(Evaluation):
             raise NoValueError(f"{notation.text(term)} is no symbol, whose rate or slope may be given")
 
     def has_rate(self, symbol: sympy.Expr) -> bool:
-        """Return whether a premise gives the rate of a symbol."""
         return self.ring.symbols.get(symbol) in self.rates
 
     # --- values ---------------------------------------------------------------------------------------------------
@@ -122,7 +121,7 @@ class Setting(Evaluation):
                 raise NoValueError(f"no premise defines the power {notation.text(base)}^n")
             known = self._powers[base]
             growing = self.value(known.right ** (multiple / known.left.exp.coeff(notation.n)))
-        return growing if rest == 0 else mixed.multiply(growing, self.value(base**rest))
+        return growing if rest == 0 else structures.multiply(growing, self.value(base**rest))
 
     @property
     def rates(self) -> dict[Any, Any]:
@@ -134,7 +133,6 @@ class Setting(Evaluation):
 
     @property
     def slopes(self) -> dict[Any, Any]:
-        """Derivation by x."""
         return self._slopes | {self.ring.symbols[notation.x]: self.ring.constant(1)}
 
     def relation_rates(self) -> list[Element]:
@@ -168,7 +166,6 @@ def _derivative(rates: Mapping[Any, Any], value: Any) -> Any:
 
 
 def _is_power(term: sympy.Expr) -> bool:
-    """Return whether a term is a power with a symbolic exponent."""
     return bool(term.is_Pow and not term.exp.is_Integer)
 
 

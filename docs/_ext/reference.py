@@ -17,10 +17,9 @@ from derive.claims.language.letters import LETTERS
 from derive.claims.language.operations import OPERATIONS
 from derive.cli.commands import cli
 from derive.codegen.catalogue import committed
-from derive.codegen.lowered import lower_chart
-from derive.codegen.signatures import POSES
+from derive.codegen.signatures import POSES, lower_chart
 from derive.codegen.targets.c import levels, shared_geometry
-from derive.output import templates
+from derive.output import pages
 from derive.output.files import put
 from dualcay import cayley2
 from dualcay.rotation import cayley2 as rotation
@@ -106,7 +105,7 @@ def operations_page() -> str:
 
 def c_header() -> str:
     """Return the header of the functions in C for poses."""
-    return templates.render("c/geometry.h.j2", header="", **shared_geometry(POSES))
+    return pages.render("c/geometry.h.j2", header="", **shared_geometry(POSES))
 
 
 def c_functions(header: str) -> list[tuple[str, list[tuple[str, str, str]]]]:

@@ -22,9 +22,9 @@ from derive.maps.elementary import alpha
 from derive.proof.at_order import FUNCTIONS, Function, computations, instances
 from derive.proof.components import STATEMENTS, Components, hamilton
 from derive.proof.identity import NO_VALUE, Equation, Proof
+from derive.proof.methods import Theorem
 from derive.proof.notation import Shifted
 from derive.proof.scalars import BENDS, SLOPES, VALUES, ScalarProofs
-from derive.proof.theorem import Theorem
 
 
 @dataclass(frozen=True)

@@ -16,7 +16,7 @@ from pathlib import Path
 from derive.claims.report.content import example
 from derive.claims.report.forms import differing_sides
 from derive.claims.result import Result, Status
-from derive.output import facts
+from derive.output import pages
 from derive.output.shown import bar
 
 from .field_facts import COLLECTIONS, TRUE, WRONG, Document, Place, anchor, as_json, correction, decided, sheets
@@ -189,7 +189,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser.add_argument("--check", action="store_true", help="compare the files instead")
     parser.add_argument("--seconds", type=float, default=SECONDS, help="processor time that an equation may take")
     options = parser.parse_args(arguments)
-    if not options.check and not facts.writable(options.output):
+    if not options.check and not pages.writable(options.output):
         return 3
     read, output = sheets(), options.output
     problems = [problem for sheet in read for problem in sheet.problems]
@@ -198,8 +198,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return 2
     with bar(sum(len(sheet.entries()) for sheet in read)) as step:
         library = decided(read, options.seconds, step)
-    texts = facts.beside(output, page(library), as_json(library))
-    return facts.deliver(output, texts, options.check, "docs.pages.field")
+    texts = pages.beside(output, page(library), as_json(library))
+    return pages.deliver(output, texts, options.check, "docs.pages.field")
 
 
 if __name__ == "__main__":

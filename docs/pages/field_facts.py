@@ -13,7 +13,7 @@ from derive.claims.language.operations import written
 from derive.claims.result import Result, Status
 from derive.claims.run import SECONDS, check_sheets
 from derive.claims.sheet import Sheet, load
-from derive.output.facts import json_rows
+from derive.output.pages import json_rows
 from derive.output.shown import no_op
 
 LIBRARY = Path(__file__).parents[2] / "derive" / "papers" / "field"

@@ -14,12 +14,12 @@ from itertools import chain
 from pathlib import Path
 
 from derive.maps import Cayley
-from derive.output import facts
+from derive.output import pages
 from derive.output.shown import bar
 from derive.proof.displacement_theorems import CLOSED_AT
 from derive.proof.identity import ALL_ORDERS, Proof
+from derive.proof.methods import decided
 from derive.proof.proved import CLAIMS, proofs
-from derive.proof.theorem import decided
 
 from .controls import Control, controls, controls_at, controls_of
 from .theorems import as_json, page
@@ -37,7 +37,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser.add_argument("-o", "--output", type=Path, help="page of theorems to write, with JSON beside it")
     parser.add_argument("--check", action="store_true", help="compare both instead")
     options = parser.parse_args(arguments)
-    if not options.check and not facts.writable(options.output):
+    if not options.check and not pages.writable(options.output):
         return 3
     with bar(2 + 2 * len(ORDERS)) as step:
         step("theorems")
@@ -64,8 +64,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return 1
     if options.output is None:
         return 0
-    texts = facts.beside(options.output, page(general, again[SHOWN], count), as_json(general, count))
-    return facts.deliver(options.output, texts, options.check, "docs.pages.proving")
+    texts = pages.beside(options.output, page(general, again[SHOWN], count), as_json(general, count))
+    return pages.deliver(options.output, texts, options.check, "docs.pages.proving")
 
 
 def at_order(n: int) -> tuple[Proof, ...]:

@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import chain
 
-from derive.output.facts import json_rows
+from derive.output.pages import json_rows
 from derive.pages.explain import ROWS
 from derive.pages.sheet import CLOSED, EVERY_PHI, MAPS_OF_ORDER, MOTION_OF_ORDER
 from derive.proof.identity import Premise, Proof

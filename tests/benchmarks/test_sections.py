@@ -42,7 +42,7 @@ def test_section_on_compiling_has_a_line_with_and_without_rules(monkeypatch: pyt
 @pytest.mark.parametrize("name", motion.EQUATIONS)
 def test_straight_lines_compute_the_equations(name: str) -> None:
     equation = motion.EQUATIONS[name]
-    y = equation.initial(motions.pose(0.4))
+    y = motions.start(equation, 0.4)
     # same operations in the same order; libraries may round tan differently
     expected = equation.rhs(0.4, y, motions.space_twist)
     np.testing.assert_allclose(motion.straight_line(equation)(0.4, y), expected, rtol=0, atol=1e-14)

@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from pathlib import Path
+import random
+from collections.abc import Callable, Iterator
+from fractions import Fraction
 
+import mpmath
 import pytest
 from hypothesis import HealthCheck, settings
 
-from derive.claims.report import FORMATS, Report
+from derive.algebra import Dual, Structure, Vector, dual_part, real_part
 from derive.codegen.targets import TARGETS
-from derive.papers import PAPERS, verify
 from tests.support.altered_maps import mutations, stated  # noqa: F401 (fixtures)
 from tests.support.packages import unvalidated
 
@@ -22,16 +23,54 @@ settings.load_profile("untimed")
 def without_validation(monkeypatch: pytest.MonkeyPatch) -> None:
     """Write kernels without validation, which takes seconds per module."""
     found = {name: unvalidated(target) for name, target in TARGETS.items()}
-    monkeypatch.setattr("derive.codegen.publish.TARGETS", found)
+    monkeypatch.setattr("derive.codegen.build.TARGETS", found)
 
 
-@pytest.fixture(scope="session")
-def karakilic(shared: Callable[[str, Callable[[Path], object]], Path]) -> Path:
-    """Folder of K10's reports ``errata.json`` and ``errata.html``, decided once for all processes."""
+# --- seeded dual vectors: numbers of 50 digits, or exact fractions ----------------------------------------------------
 
-    def write(folder: Path) -> None:
-        report = Report.of(PAPERS, verify("karakilic-2010"), [])
-        for form in ("json", "html"):
-            (folder / f"errata.{form}").write_text(FORMATS[form](report), encoding="utf-8")
 
-    return shared("karakilic", write)
+@pytest.fixture
+def fifty_digits() -> Iterator[None]:
+    with mpmath.workdps(50):
+        yield
+
+
+@pytest.fixture
+def draw() -> Callable[..., Vector]:
+    """Draw a 50-digit dual vector with Re|v| up to √3 `size`."""
+    rng = random.Random(20231)
+
+    def vector(size: float = 1.0) -> Vector:
+        def part(scale: float) -> list[mpmath.mpf]:
+            return [mpmath.mpf(rng.uniform(-scale, scale)) for _ in range(3)]
+
+        return Vector.dual(part(size), part(4))
+
+    return vector
+
+
+@pytest.fixture
+def draw_exact() -> Callable[[], Vector]:
+    """Draw a dual vector with small fractions as components."""
+    rng = random.Random(111)
+
+    def vector() -> Vector:
+        def part() -> list[Fraction]:
+            return [Fraction(rng.randint(-7, 7), rng.randint(1, 5)) for _ in range(3)]
+
+        return Vector.dual(part(), part())
+
+    return vector
+
+
+@pytest.fixture
+def gap() -> Callable[[object, object], mpmath.mpf]:
+    """Return the largest difference, real or dual, between two numbers or structures."""
+
+    def largest(a: object, b: object) -> mpmath.mpf:
+        difference = a - b  # type: ignore[operator]
+        entries = list(difference) if isinstance(difference, Structure) else [difference]
+        return max(abs(mpmath.mpmathify(part)) for e in entries for part in (real_part(e), dual_part(e)))
+
+    assert largest(Dual(1, 5), Dual(1, 2)) == 3
+    return largest

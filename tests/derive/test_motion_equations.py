@@ -83,7 +83,7 @@ def test_rates_are_those_of_the_kernels(number: str, order: int | None) -> None:
 @EVERY
 def test_batches_are_their_rows(number: str, order: int | None) -> None:
     equation = motion_equation(number, order)
-    y = np.stack([start(equation, t) for t in (0.0, 0.2, 0.9)], axis=-1)
+    y = np.stack([motions.start(equation, t) for t in (0.0, 0.2, 0.9)], axis=-1)
     twists = np.arange(18.0).reshape(6, 3) / 20
     rates = equation.rhs(0, y, lambda t: twists)
     for i in range(3):
@@ -101,12 +101,8 @@ def test_fractions_stay_fractions(number: str) -> None:
 END = 6.0  # almost a whole period of the tumbling body
 
 
-def start(equation: MotionEquation, t: float = 0.0) -> np.ndarray:
-    return motions.state(equation, motions.kernels(equation).from_pose(motions.pose(t)))
-
-
 def end_pose(equation: MotionEquation, rtol: float, frame: str) -> np.ndarray:
-    y, twist = start(equation), motions.TWISTS[frame]
+    y, twist = motions.start(equation), motions.TWISTS[frame]
     solved = solve_ivp(equation.rhs, (0, END), y, "DOP853", args=(twist,), rtol=rtol, atol=rtol / 10)
     return motions.reached(equation, solved.y[:, -1])
 
@@ -148,7 +144,7 @@ def test_jax_integrates_by_compiled_steps(number: str) -> None:
 
         return jax.lax.scan(step, y, start + h * jax.numpy.arange(steps))[0]
 
-    y, h = start(equation), END / steps
+    y, h = motions.start(equation), END / steps
     coarse, fine = run(y, 0.0, h), run(run(y, 0.0, h / 2), END / 2, h / 2)
     coarse, fine = (motions.reached(equation, np.asarray(y)) for y in (coarse, fine))
     error = abs(fine - motions.pose(END)).max()

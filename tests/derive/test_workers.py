@@ -52,7 +52,7 @@ def test_geometry_is_checked_once_in_a_chart_that_is_published_only_if_asked_for
 
 @pytest.mark.parametrize("processes", [1, 2])
 def test_first_failure_is_reported_in_the_order_of_charts_and_nothing_written(tmp_path: Path, monkeypatch, processes):
-    monkeypatch.setattr("derive.codegen.publish.TARGETS", {"numpy": Counting(("cayley1", "cayley2"))})
+    monkeypatch.setattr("derive.codegen.build.TARGETS", {"numpy": Counting(("cayley1", "cayley2"))})
     with pytest.raises(ValidationFailed, match=r"^cayley1\.pose, component 0: 1 is not 2$"):
         generate_charts(CHARTS, "numpy", tmp_path / "k", processes=processes)
     assert not (tmp_path / "k").exists()

@@ -14,7 +14,7 @@ from derive.proof import notation as m
 from derive.proof import theorems
 from derive.proof.evaluation import NoValueError
 from derive.proof.identity import Check, Proof, decide
-from derive.proof.theorem import Theorem, decided
+from derive.proof.methods import Theorem, decided
 from docs.pages import proving as command
 from docs.pages.controls import Control, controls
 from docs.pages.theorems import as_json, page

@@ -10,7 +10,10 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 from derive.about import FAMILIES
-from dualcay import exponential, scaled2, wiener_milenkovic
+from derive.codegen.signatures import POSES
+from dualcay import cayley3, exponential, orthographic, scaled2, wiener_milenkovic
+from dualcay._interface import PoseKernels
+from dualcay._multiple import multiple
 from tests.support import families, sampling
 
 
@@ -111,3 +114,29 @@ def test_series_and_closed_form_agree_where_they_meet():
     limit = math.sqrt(6.0)
     before, behind = (exponential.tangent(np.array([a, 0, 0, 0.3, 0.4, 0.5])) for a in (limit - 1e-15, limit + 1e-15))
     np.testing.assert_allclose(before, behind, rtol=0, atol=8 * np.finfo(float).eps)
+
+
+@pytest.mark.parametrize("base", [cayley3, orthographic], ids=lambda base: base.CHART.module)
+def test_functions_of_a_multiple_are_those_of_its_base(base: ModuleType):
+    """Take K = 3/2: arguments and results named v or v_… are K times those of the base; the edge is, too."""
+    kernels, K = PoseKernels(multiple(base.CHART, "made", 3, 2, constant=(), programs="")), 1.5
+    v, w, rates = np.array([0.1, -0.3, 0.2, 0.3, 2.0, -1.0]), np.array([0.02, 0.05, -0.01, 0.3, -0.2, 0.1]), np.eye(6)
+    angle, line = base.to_screw(w)
+    values = {
+        **dict.fromkeys(("v", "v2"), v), **dict.fromkeys(("v1", "v0"), w), "v_dot": rates[1], "v_ddot": rates[2],
+        "omega": rates[4], "omega_dot": rates[0], "w": w, "delta": w, "t": np.array(0.3), "angle": angle, "line": line,
+        "q": base.quaternion(v), "R": base.tensor(v), "T": base.pose(v),
+    }  # fmt: skip
+    rows = [row for row in POSES.public.values() if values.keys() >= {array.name for array in row.arguments}]
+    plain = ("v", "q", "w", "tensor", "pose", "moved", "omega", "angle", "line", "delta")
+    rows = [row for row in rows if all(array.name.startswith(plain) for array in row.results)]
+    assert len(rows) > 25
+    for row in rows:
+        given = [values[array.name] for array in row.arguments]
+        scaled = [K * a if array.name.startswith("v") else a for a, array in zip(given, row.arguments, strict=True)]
+        found, there = (getattr(one, row.name)(*at) for one, at in ((kernels, scaled), (base, given)))
+        for array, one, other in zip(row.results, *(r if isinstance(r, tuple) else (r,) for r in (found, there))):
+            scale = K if array.name.startswith("v") else 1
+            np.testing.assert_allclose(one, scale * other, rtol=0, atol=1e-12, err_msg=row.name)
+    beyond = np.array([0, 0, 1.01 * K, 0, 0, 0])
+    assert np.isfinite(kernels.principal(beyond)).all() == (base is cayley3)

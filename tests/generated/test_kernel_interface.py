@@ -8,13 +8,15 @@ import pydoc
 import subprocess
 import sys
 from pathlib import Path
+from types import ModuleType
 
 import numpy as np
 import pytest
 
 import dualcay
 from derive.codegen.signatures import PUBLIC
-from tests.support import sampling
+from dualcay.rotation import cayley2 as rotation
+from tests.support import examples, sampling
 from tests.support.kernels import ORDERS, load
 
 PLAIN = {"singular_angles", "switch", "identity", "random"}
@@ -57,6 +59,13 @@ def test_every_function_has_its_documentation_and_signature(name: str) -> None:
     assert given == [part for part in parameters if part in given], f"{name} lists {described}"
 
 
+@pytest.mark.smoke
+@pytest.mark.parametrize("module", [load(2), rotation], ids=["poses", "rotations"])
+def test_examples_in_docstrings_run(module: ModuleType) -> None:
+    functions = {getattr(module, name) for name in module.__all__}
+    assert examples.of_docstrings(functions, {"np": np, "cayley2": module}) == ""
+
+
 def test_help_tells_of_the_module_and_of_each_function() -> None:
     page = pydoc.render_doc(load(3), renderer=pydoc.plaintext)
     assert "Cayley map of order 3" in page
@@ -89,3 +98,22 @@ def test_body_forms_are_space_forms_at_the_opposite_vector_bit_for_bit(order: in
     v, w = sampling.poses(order, "uniform", count=count), sampling.dual_vectors("w", count=count)
     np.testing.assert_array_equal(kernel.body_twist(v, w), kernel.twist(-v, w))
     np.testing.assert_array_equal(kernel.body_rate(v, w), kernel.rate(-v, w))
+
+
+@pytest.mark.parametrize("dtype", [np.float32, np.float64, np.longdouble])
+def test_a_plain_number_takes_the_type_of_the_arrays(dtype: type) -> None:
+    v = np.arange(6, dtype=dtype) / 8
+    for t in (1, 0.5):
+        assert dualcay.cayley3.interpolate(0 * v, v, t).dtype == dtype
+    assert dualcay.cayley3.interpolate(0 * v, v, np.array(0.5)).dtype == np.result_type(dtype, np.float64)
+
+
+def test_quaternions_with_the_scalar_last_have_it_last_in_each_half() -> None:
+    v = np.arange(1, 13.0).reshape(2, 6) / 8
+    for axis, given in ((-1, v), (0, v.T)):
+        first, last = (dualcay.cayley3.quaternion(given, axis=axis, scalar_first=way) for way in (True, False))
+        assert np.array_equal(last, np.take(first, [1, 2, 3, 0, 5, 6, 7, 4], axis))
+        assert np.array_equal(
+            dualcay.cayley3.from_quaternion(last, axis=axis, scalar_first=False),
+            dualcay.cayley3.from_quaternion(first, axis=axis),
+        )

@@ -17,10 +17,8 @@ import pytest
 
 from derive.about import FAMILIES, ORDERS
 from derive.maps.named import parameterization
-from dualcay import _numbers, _runtime, unwrap
+from dualcay import _numbers, _runtime, orthographic, unwrap
 from tests.support import packages, sampling
-
-pytestmark = pytest.mark.smoke
 
 NAMES = (*(f"cayley{n}" for n in ORDERS), *FAMILIES)
 POLES = ("cayley1", "scaled1")  # half a turn is at infinity
@@ -295,3 +293,11 @@ def test_few_poses_of_float32_without_its_rules_are_refused(
     law(poses, module, np.float32)
     with pytest.raises(AssertionError):
         law(poses, Cut(module), np.float32)
+
+
+@pytest.mark.parametrize(("roundings", "known"), [(0, True), (5, True), (-5, True), (100, False), (-100, False)])
+def test_vectors_that_rounding_may_put_beyond_an_edge_are_known(roundings: int, known: bool) -> None:
+    """Expect to know 5 roundings from the edge: v rounds by 2 of its square, and the sum of squares by 3."""
+    chart = orthographic.CHART
+    v = np.array([0.48, -0.6, 0.64]) * np.sqrt(_runtime._limit(chart) * (1 + roundings * _numbers.ROUNDOFF))
+    assert _runtime._beside_edge(chart.kernels["principal"], chart, [v]) is known

@@ -11,7 +11,7 @@ import pytest
 import dualcay
 from dualcay import cayley1, cayley2, cayley3, exponential, lambert
 from tests.support import errors, families, sampling
-from tests.support.oracle import Oracle, oracle_of
+from tests.support.oracle import Oracle
 
 NAMES = ("cayley1", "cayley2", "cayley3", "cayley8", "exponential", "lambert")
 
@@ -23,7 +23,7 @@ def name(request: pytest.FixtureRequest) -> str:
 
 @pytest.fixture
 def oracle(name: str) -> Oracle:
-    return families.oracle_of(name) if name in families.ORACLES else oracle_of(int(name.removeprefix("cayley")))
+    return families.oracle_of(name)
 
 
 def vectors(oracle: Oracle, *angles: float) -> np.ndarray:

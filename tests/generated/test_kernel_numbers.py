@@ -145,3 +145,21 @@ def test_matrix6_keeps_every_type(kernel: ModuleType) -> None:
 
 def test_reciprocals_of_objects_are_exact() -> None:
     assert _numbers.Objects.reciprocals(Fraction(2), 3, 7) == (Fraction(1, 3), Fraction(1, 7))
+
+
+def test_multiples_of_a_chart_keep_fractions() -> None:
+    """Compare with the base chart, in which some scalars are integers: half of 1 is a fraction too."""
+    v, base = np.array(V, dtype=object), load(1)
+    exact = 2 * base.tangent_inv(v / 2)
+    for result in (dualcay.scaled1.tangent_inv(v), dualcay.scaled1.tangent_inv(np.stack([v, v]))[1]):
+        assert (result == exact).all()
+        assert all(isinstance(c, Fraction | int) for c in result.flat)
+
+
+@pytest.mark.parametrize("shape", [(6,), (1, 6), (3, 6)])
+def test_errors_of_objects_are_their_own(shape: tuple[int, ...]) -> None:
+    """Expect the error of fractions at a pole, |v| = 1 for n = 4, and no run on arrays, which would round thirds."""
+    whole_turn = np.broadcast_to(np.array([Fraction(i == 1) for i in range(6)]), shape)
+    with pytest.raises(ZeroDivisionError):
+        load(4).tangent_inv(whole_turn)
+    assert not any(dtype.hasobject for _, dtype, *_ in load(4).CHART._recorded)

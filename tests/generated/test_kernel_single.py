@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+import math
 import warnings
 from collections.abc import Iterator
-from types import ModuleType
+from types import ModuleType, SimpleNamespace
 
 import numpy as np
 import pytest
 
 from derive.codegen.signatures import PUBLIC
+from dualcay import _geometry, _numbers
 from tests.support.kernels import ALIKE, ORDERS, load
 from tests.support.signatures import SHAPES, SIGNATURES, assert_nearly_equal, components_last, inputs, rows_of
 
@@ -154,3 +156,15 @@ def test_order_one_has_no_vector_at_pi() -> None:
 def test_special_arguments_have_the_shapes_of_their_kinds() -> None:
     for kind, values in SPECIAL.items():
         assert all(value.shape == SHAPES[kind] for value in values)
+
+
+@pytest.mark.parametrize("size", [1e100, 1e155])
+def test_coordinates_whose_square_overflows_have_no_vector(size: float) -> None:
+    """Take φ = arctan α, which has a limit: its share of an infinite length would be 0."""
+    chart = SimpleNamespace(
+        reached=lambda m, alpha: (alpha,),
+        coefficient=lambda m, alpha: (math.atan(alpha), 1 / (1 + alpha * alpha), alpha),
+        inside=lambda m, x: (1,),
+    )
+    v = _geometry.from_exponential(_numbers.Floats, chart, [0.6 * size, 0, 0.8 * size, 0, 0, 0])
+    assert np.allclose(v[:3], [0.3 * np.pi, 0, 0.4 * np.pi]) if size < 1e154 else not np.isfinite(v).any()

@@ -123,6 +123,8 @@ def test_starts_near_a_whole_turn_and_indefinite_covariances_are_refused() -> No
         with pytest.raises(ValueError, match="v0 must not be on the singular set"):
             propagate(exponential, [2 * np.pi + off, 0, 0, 0, 0, 0], OMEGA, [0, 1])
     propagate(exponential, [2 * np.pi - 1e-8, 0, 0, 0, 0, 0], OMEGA, [0, 1])
+    rounded = {"covariance": np.outer(np.arange(6) / 3, np.arange(6) / 3), "noise": np.diag([1, 2, 3, 4, 5, -1e-15])}
+    propagate(cayley2, np.zeros(6), OMEGA, [0, 1], **rounded)
     for least in (-0.5, -1e-6):
         for name in ("covariance", "noise"):
             with pytest.raises(ValueError, match=f"{name} must be positive semidefinite, got the eigenvalue {least:g}"):

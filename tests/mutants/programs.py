@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import replace
 from functools import partial
 from typing import Any
@@ -10,9 +11,9 @@ from unittest import mock
 
 from derive.codegen import catalogue
 from derive.codegen.build import build
-from derive.codegen.lowered import lower_chart, printed_geometry
 from derive.codegen.programs.program import Assignment, Call, Operand, Program, Statement
-from derive.codegen.targets import TARGETS, expression
+from derive.codegen.signatures import lower_chart, printed_geometry
+from derive.codegen.targets import TARGETS, expression, python
 from derive.maps import Cayley
 from derive.maps.chart import Chart
 
@@ -32,11 +33,11 @@ Changed = tuple[str, str, Program]
 
 
 def mutants() -> Iterator[Mutant]:
-    """Yield the mutants of the geometry programs, then of the scalar programs of the committed charts."""
+    """Yield the mutants of the geometry programs, then of the scalar programs that committed charts print."""
     yield Mutant("programs", "none", "unchanged", partial(_trial, GEOMETRY_CHARTS, None, None))
     for program in printed_geometry().values():
         yield from _mutants("geometry", GEOMETRY_CHARTS, program)
-    for chart in catalogue.committed():
+    for chart in (chart for chart in catalogue.committed() if not chart.base):  # a multiple prints none of its own
         for program in lower_chart(chart).scalars.values():
             yield from _mutants(chart.name, (chart,), program)
 
@@ -49,12 +50,7 @@ def _mutants(owner: str, charts: Sequence[Chart], program: Program) -> Iterator[
 
 def _trial(charts: Sequence[Chart], program: Program | None, changed: Program | None) -> Verdict:
     """Build the charts with one program replaced by its mutant."""
-    print_body = expression.body
-
-    def body(given: Program, *arguments: Any, **options: Any) -> str:
-        return print_body(changed if changed and given == program else given, *arguments, **options)
-
-    with mock.patch.object(expression, "body", body):
+    with replaced(program, changed):
         try:
             build(charts, TARGETS["numpy"])
         except Exception as error:
@@ -62,11 +58,30 @@ def _trial(charts: Sequence[Chart], program: Program | None, changed: Program | 
     return Verdict(SURVIVED)
 
 
+@contextmanager
+def replaced(program: Program | None, changed: Program | None) -> Iterator[None]:
+    """Print a program as its mutant. Scalar programs are changed before they are split into helpers."""
+
+    def other(given: Program) -> Program:
+        return changed if changed and given == program else given
+
+    def split(programs: Mapping[str, Program]) -> Any:
+        return with_helpers({name: other(given) for name, given in programs.items()})
+
+    def body(given: Program, *arguments: Any, **options: Any) -> str:
+        return print_body(other(given), *arguments, **options)
+
+    with_helpers, print_body = python.with_helpers, expression.body
+    with mock.patch.object(python, "with_helpers", split), mock.patch.object(expression, "body", body):
+        yield
+
+
 def changes(program: Program) -> Iterator[Changed]:
     """Yield every change of an operation, an operand, a constant or the order of outputs."""
     for index, statement in enumerate(program.statements):
         changed = _step_changes if isinstance(statement, Assignment) else _call_changes
-        for operator, other in changed(program, index, statement):  # type: ignore[operator]
+        others = changed(program, index, statement)  # type: ignore[operator]
+        for operator, other in ((operator, other) for operator, other in others if other != statement):
             statements = (*program.statements[:index], other, *program.statements[index + 1 :])
             yield operator, f"{_words(statement)} → {_words(other)}", replace(program, statements=statements)
     for i, (first, second) in enumerate(zip(program.outputs, program.outputs[1:])):

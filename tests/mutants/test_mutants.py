@@ -11,6 +11,7 @@ from collections.abc import Callable, Iterator, Mapping
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import replace
 from functools import partial
+from itertools import islice
 from multiprocessing import get_context
 from typing import Any
 from unittest import mock
@@ -22,15 +23,16 @@ from derive.claims.equation import Entry, equation
 from derive.claims.language.operator_table import Re, cross, equal, iff, implies, nonzero, zero
 from derive.claims.language.printed import Number, Symbol, Term, text
 from derive.codegen.programs.program import Assignment, Program
+from derive.codegen.signatures import lower_chart
+from derive.codegen.targets import python
+from derive.maps import Cayley, family
 from derive.papers import PAPERS
 from tests.mutants import __main__ as command
 from tests.mutants.lines import changes as line_changes
 from tests.mutants.mutant import EQUIVALENT, KILLED, SURVIVED, Mutant, Verdict, sampled, tried
-from tests.mutants.programs import changes
+from tests.mutants.programs import changes, replaced
 from tests.mutants.statements import changed, domains, evaluated, is_true, trials, true_statements
 from tests.support.staying import spin
-
-pytestmark = pytest.mark.smoke
 
 STEPS = (Assignment("d", "sub", ("v1", "v2"), False), Assignment("e", "mul", (3, "d"), False))
 DIFFERENCE = Program("f", (("v", ("v1", "v2")),), STEPS, ("e", "d"))
@@ -40,6 +42,7 @@ def mutant(trial: Callable[[], Verdict], change: str = "") -> Mutant:
     return Mutant("place", "sign", change, trial)
 
 
+@pytest.mark.smoke
 def test_program_changes_are_of_operation_operand_constant_and_outputs() -> None:
     assert {(operator, words) for operator, words, _ in changes(DIFFERENCE)} == {
         ("operation", "d = sub(v1, v2) → d = add(v1, v2)"),
@@ -55,6 +58,16 @@ def test_program_changes_are_of_operation_operand_constant_and_outputs() -> None
     }
     assert all(changed != DIFFERENCE for _, _, changed in changes(DIFFERENCE))
     assert replace(DIFFERENCE, outputs=("d", "e")) in {changed for _, _, changed in changes(DIFFERENCE)}
+
+
+@pytest.mark.parametrize("chart", [Cayley(3), family("exponential")], ids=lambda chart: chart.name)
+def test_a_changed_program_is_printed(chart: Any) -> None:
+    scalars = lower_chart(chart).scalars
+    printed = python.printed_scalars(chart, scalars)
+    for program in scalars.values():
+        for *_, mutated in islice(changes(program), 2):
+            with replaced(program, mutated):
+                assert python.printed_scalars(chart, scalars) != printed, program.name
 
 
 @pytest.mark.parametrize(
@@ -73,6 +86,7 @@ def test_line_changes_swap_a_token(line: str, changed: str) -> None:
     assert changed in {text for *_, text in line_changes(line)}
 
 
+@pytest.mark.smoke
 def test_prose_is_not_mutated() -> None:
     text = '"""One + 1."""\n# 2 * 3\nx = f("4 + 5")  # 6\n{# 7 < 8 #}\ny = a + 9\n'
     assert {line for line, *_ in line_changes(text)} == {5}
@@ -207,6 +221,7 @@ def test_mutant_is_refuted_or_meaningless_or_survives() -> None:
         assert evaluated(lambda right=mutant: is_true(entry(), equal(a + b, right))).kind == fate
 
 
+@pytest.mark.smoke
 def test_every_mutant_of_an_identity_is_refuted() -> None:
     found = fates(entry(), SQUARE)
     assert len(found) > 10

@@ -1,6 +1,7 @@
 """First and second derivatives of kernels by JAX or PyTorch, beside differences of the oracle with 100 digits.
 
-``python -m tests.support.derivatives jax --seconds 1500 --seed 1`` tries functions in all charts for some time.
+``python -m tests.support.derivatives jax --seconds 1500 --seed 1`` tries functions in all charts for some time, and
+``python -m tests.support.derivatives jax --name compose`` a function by name.
 """
 
 from __future__ import annotations
@@ -11,7 +12,7 @@ import random
 import sys
 import tempfile
 from collections.abc import Callable, Iterator, Mapping
-from functools import cache, partial
+from functools import partial
 from pathlib import Path
 from time import process_time
 from typing import Any
@@ -24,9 +25,9 @@ from derive.codegen.rows import Table
 from derive.codegen.signatures import POSES, ROTATIONS
 from derive.maps import Cayley, family
 from tests.support import packages
-from tests.support.families import ORACLES
+from tests.support.families import oracle_of
 from tests.support.libraries import QUICKLY
-from tests.support.oracle import Oracle
+from tests.support.traced import derivative
 
 GATE = 50  # largest error, in eps of the size of a derivative and of its change by the rounding of arguments
 ROUND = {"from_quaternion": "quaternion", "from_tensor": "tensor", "from_pose": "pose"}
@@ -38,18 +39,13 @@ OF_AXIS = ("angle", "to_screw", "shadow", "shadow_jacobian")
 SIDES = ("principal", "to_screw", "shadow", "shadow_jacobian", *ROUND)
 """Functions that jump at half a turn."""
 
+AT_REST = ("identity", "translation", "angle 1e-300, translation 1", "angle 1e-16, translation 1")
+"""Regimes without rotation, or with so little that x = v·v hardly changes a result but may spoil its derivatives."""
+
 AXIS = np.array([2, -2, 1]) / 3
 ANGLES = (1e-1, 1e-4, 1e-8, 1e-16, 1e-30, 1e-300)
 TYPES = np.float64, np.float32
 Library = Callable[..., Mapping[str, np.ndarray]]
-
-
-@cache
-def oracle(name: str, digits: int) -> Oracle:
-    if name.startswith("cayley"):
-        return Oracle(int(name.removeprefix("cayley")), digits)
-    kind, order = ORACLES[name]
-    return kind(order, digits)
 
 
 def points(chart: str) -> Iterator[tuple[str, float, float, np.ndarray]]:
@@ -85,7 +81,7 @@ class Case:
         self.eps = np.finfo(dtype).eps
         self.given = table.public[self.forward] if self.forward else self.row
         self.step, self.digits = ("1e-60", 200) if self.row.source in OF_AXIS else ("1e-25", 100)
-        self.oracle, rng = oracle(chart, self.digits), np.random.default_rng(len(name))
+        self.oracle, rng = oracle_of(chart, self.digits), np.random.default_rng(len(name))
         size = sum(a.size for a in self.given.arguments)
         rest = [0.3 * rng.normal(size=a.size) for a in self.given.arguments[1:]]
         self.along, self.second, self.signs = rng.normal(size=(3, size)).astype(dtype)
@@ -139,21 +135,42 @@ class Case:
         Sizes of a round trip include those of its first map.
         """
         with mpmath.workdps(self.digits):
-            h, number = mpmath.mpf(self.step), np.vectorize(lambda c: mpmath.mpf(float(c)), otypes=[object])
-            along, second, change = map(number, (self.along, self.second, at * np.sign(self.signs)))
-
-            def slope(function: Any, direction: Any) -> Any:
-                return lambda z: (function(z + h * direction) - function(z - h * direction)) / (2 * h)
+            along, second, change = map(_number, (self.along, self.second, at * np.sign(self.signs)))
+            slope = self._slope
 
             def terms(value: Any) -> list[Any]:
                 first = slope(value, along)
                 bend = slope(first, second)
-                return [term(number(at)) for term in (value, first, slope(first, change), bend, slope(bend, change))]
+                return [term(_number(at)) for term in (value, first, slope(first, change), bend, slope(bend, change))]
 
             found = terms(self.value)
             others = terms(lambda z: flat(self.before(z))) if self.forward else found
             sizes = [float(max(map(abs, [*one, *other]))) for one, other in zip(found, others, strict=True)]
             return found[1].astype(float), found[3].astype(float), max(sizes[:3]), max(sizes)
+
+
+    def _slope(self, function: Any, direction: Any) -> Any:
+        """Return the function that is the difference quotient of a function along a direction."""
+        h = mpmath.mpf(self.step)
+        return lambda z: (function(z + h * direction) - function(z - h * direction)) / (2 * h)
+
+    def error_at_rest(self, module: Any) -> float:
+        """Return the largest error of derivatives at rest, in eps of the sizes of value and derivative.
+
+        Changes by the rounding of arguments are smaller there. Dual parts have the second derivatives of real parts.
+        """
+        points = np.stack([at for regime, at in self.at.items() if regime in AT_REST])
+        worst = 0.0
+        for at, got in zip(points, derivative(self.of(module), points, self.along), strict=True):
+            with mpmath.workdps(self.digits):
+                value, exact = self.value(_number(at)), self._slope(self.value, _number(self.along))(_number(at))
+            size = float(max(map(abs, [*value, *exact])))
+            error = np.max(abs(flat(tuple(got)).astype(float) - exact.astype(float)))
+            worst = float(np.fmax(worst, error / size / self.eps)) if np.isfinite(error) else np.inf
+        return worst
+
+
+_number = np.vectorize(lambda c: mpmath.mpf(float(c)), otypes=[object])
 
 
 def errors(case: Case, module: Any, library: Library) -> dict[tuple[str, str], float]:
@@ -215,10 +232,11 @@ LIBRARIES = {"jax": by_jax, "torch": by_torch}
 Try = tuple[str, str, Table, Any]
 
 
-def tries(seed: int) -> list[Try]:
-    """Return every function with both types, each in a chart drawn by a seed, in random order."""
+def tries(seed: int, chosen: str = "") -> list[Try]:
+    """Return every function, or a chosen one, with both types, each in a chart drawn by a seed, in random order."""
     charts, draw = [*(f"cayley{n}" for n in ORDERS), *FAMILIES], random.Random(seed)
-    rows = [(name, table, dtype) for table in (POSES, ROTATIONS) for name in table.public for dtype in TYPES]
+    found = [(name, table) for table in (POSES, ROTATIONS) for name in table.public if chosen in ("", name)]
+    rows = [(name, table, dtype) for name, table in found for dtype in TYPES]
     draw.shuffle(rows)
     draw.shuffle(charts)
     return [(charts[i % len(charts)], *row) for i, row in enumerate(rows)]
@@ -235,13 +253,14 @@ def above_gate(package: str, one: Try, library: Library) -> dict[tuple[str, str]
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("library", choices=LIBRARIES)
+    parser.add_argument("--name", default="", choices=["", *POSES.public], help="function to try (default: all)")
     parser.add_argument("--seconds", type=float, default=60, help="processor time")
     parser.add_argument("--seed", type=int, default=0)
     given, count, wrong = parser.parse_args(), 0, 0
     with tempfile.TemporaryDirectory() as folder:
         packages.write(ORDERS, "array-api", Path(folder) / "of_tries", FAMILIES)
         sys.path.insert(0, folder)
-        for one in tries(given.seed):
+        for one in tries(given.seed, given.name):
             if process_time() > given.seconds:
                 break
             found = above_gate("of_tries", one, LIBRARIES[given.library])

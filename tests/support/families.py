@@ -74,7 +74,7 @@ ORACLES = {
     "breusing": (BreusingOracle, 2), "wiener_milenkovic": (ScaledOracle, 2),
     **{f"scaled{n}": (ScaledOracle, n) for n in range(1, 6)},
 }  # fmt: skip
-"""Class and order of the oracle, by name of the module."""
+"""Class and order of the oracle, by name of a family's module."""
 
 
 DIGITS = 60
@@ -87,10 +87,14 @@ STEPS = ("retract", "body_retract", *BY_STEPS)
 
 
 @functools.cache
-def oracle_of(name: str) -> Oracle:
-    """Return the oracle of a family, shared by all tests because it remembers results."""
+def oracle_of(name: str, digits: int = DIGITS) -> Oracle:
+    """Return the oracle of a chart by name, shared by all tests because it remembers results."""
+    if name.startswith("cayley"):
+        return Oracle(int(name.removeprefix("cayley")), digits)
+    if name not in ORACLES:
+        raise LookupError(f"no oracle of the family {name}: state its class and order in ORACLES, {__name__}")
     kind, order = ORACLES[name]
-    return kind(order, DIGITS)
+    return kind(order, digits)
 
 
 def vectors(oracle: Oracle, low: float, high: float, count: int = 4) -> np.ndarray:

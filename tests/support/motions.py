@@ -61,6 +61,11 @@ def state(equation: MotionEquation, v: np.ndarray) -> np.ndarray:
     return found.ravel()
 
 
+def start(equation: MotionEquation, t: float = 0.0) -> np.ndarray:
+    """Return the state of a kinematic equation at a time of the tumbling body."""
+    return state(equation, kernels(equation).from_pose(pose(t)))
+
+
 def reached(equation: MotionEquation, y: np.ndarray) -> np.ndarray:
     """Return the homogeneous matrices of states, the columns of y, of shape (..., 4, 4)."""
     module, rows = kernels(equation), np.moveaxis(y, 0, -1)

@@ -9,7 +9,7 @@ import importlib.util
 import os
 import subprocess
 import sys
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Collection, Iterable, Iterator
 from contextlib import contextmanager
 from functools import partial
 from pathlib import Path
@@ -20,7 +20,10 @@ import numpy as np
 import dualcay
 from derive.codegen import catalogue
 from derive.codegen.build import print_package
+from derive.codegen.package import Data, Target
+from derive.codegen.rows import Table
 from derive.codegen.targets import TARGETS
+from derive.codegen.targets.native import Native
 from derive.maps.chart import Chart
 from derive.output import files
 from tests.support.layouts import BATCHES, require_strides_of_one_ignored
@@ -30,9 +33,22 @@ PLAIN = ("optimization=0", "c_args=-DDUALCAY_CORE=static")
 """Options without vector code and inlined cores, which would make compilation forty times slower."""
 
 
-def build(place: Path, charts: Iterable[Chart], *options: str, only: str = "") -> None:
+class Few(Native):
+    """Target with the loops of a few kernels, which compile in seconds."""
+
+    def __init__(self, kernels: Collection[str]) -> None:
+        self.kernels = kernels
+
+    def loops(self, table: Table) -> Data:
+        data = super().loops(table)
+        return {**data, "loops": [each for each in data["loops"] if each["name"] in self.kernels]}
+
+
+def build(
+    place: Path, charts: Iterable[Chart], *options: str, only: str = "", native: Target = TARGETS["native"]
+) -> None:
     """Build the package, for one table or all, with options of Meson; install it in the subfolder ``site``."""
-    native, source = TARGETS["native"], place / "source"
+    source = place / "source"
     texts = print_package([*charts], native, tested=False).texts  # the C target has the same differential test
     modules = (name for name in texts if name.endswith(".c"))
     for name in [name for name in modules if only and not name.startswith(f"{only}/")]:

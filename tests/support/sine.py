@@ -7,8 +7,7 @@ from dataclasses import dataclass
 import sympy
 
 from derive.algebra import Coefficient
-from derive.algebra.arithmetic import Arithmetic
-from derive.algebra.cayley_pairs import Pair
+from derive.algebra.arithmetic import Arithmetic, Pair
 from derive.maps.elementary import alpha
 from derive.maps.order_charts import Derivatives, OrderChart
 from derive.maps.scalars import DependentScalars, scalar

@@ -59,8 +59,8 @@ class Subject:
 @cache
 def subject(name: str, table: str = "", digits: int = families.DIGITS) -> Subject:
     """Return a chart of the catalogue by name, with an oracle of a number of digits."""
-    kind, order = (oracle.Oracle, int(name[6:])) if name.startswith("cayley") else families.ORACLES[name]
-    return Subject(importlib.import_module(".".join(filter(None, ("dualcay", table, name)))), kind(order, digits))
+    module = importlib.import_module(".".join(filter(None, ("dualcay", table, name))))
+    return Subject(module, families.oracle_of(name, digits))
 
 
 Made = Iterator[tuple[str, np.ndarray]]

@@ -113,7 +113,10 @@ def test_components_first_and_broadcasting(array_api, library):
         assert last.shape == (2, 3, *result)
         assert_nearly_equal(components_last(getattr(module, name)(*first, axis=0), len(result)), last)
         if len(kinds) == 2:
-            np.testing.assert_array_equal(getattr(module, name)(values[0], values[1][0, 0])[0, 0], last[0, 0])
+            for place, shape in ((0, (3,)), ((0, 0), ())):  # batches of fewer axes: their axes are the last ones
+                found = getattr(module, name)(values[0], values[1][place])
+                assert found.shape == last.shape
+                np.testing.assert_array_equal(found[(0,) * (2 - len(shape))], last[(0,) * (2 - len(shape))])
         one = getattr(module, name)(*(np.asarray(a[1, 2]) for a in values))
         assert_nearly_equal(one, last[1, 2])
 
@@ -215,6 +218,15 @@ def test_a_switch_agrees_with_the_numpy_kernels(array_api, library):
     for a, b, given in zip(found, wanted, arguments(), strict=True):
         np.testing.assert_allclose(np.asarray(a), b, rtol=0, atol=1e-12)
         np.testing.assert_array_equal(np.asarray(a)[~changed], given[~changed])
+
+
+def test_a_switch_of_an_infinite_vector_leaves_no_rate(array_api):
+    """Take a chart of one branch, where v itself stays."""
+    v = np.array([np.inf, 0, 0, 0, 0, 0])
+    for module in (array_api(1), dualcay.cayley1):
+        with np.errstate(all="ignore"):
+            _, *found = module.switch(v, np.ones(6), np.eye(6))
+        assert not any(np.isfinite(part).any() for part in found)
 
 
 def test_covariances_that_are_not_symmetric_are_refused_where_values_are_known(array_api):

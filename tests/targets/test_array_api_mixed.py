@@ -89,6 +89,8 @@ def test_other_libraries_take_branch_and_check(module, strict):
         with pytest.raises(ValueError, match=said):
             module.from_screw(strict.asarray(angle), strict.asarray(1.1 * line), check=check)
     assert module.from_screw(strict.asarray(angle), strict.asarray(1.1 * line), check=0.3).shape == (6,)
+    with pytest.raises(ValueError, match="off by nan"):
+        module.from_screw(strict.asarray(angle), strict.asarray(np.nan * line), check=0.3)
     v = module.from_screw(strict.asarray(angle), line)
     shadow = module.shadow(v, 1)
     assert type(module.compose(V, shadow)) is type(v)

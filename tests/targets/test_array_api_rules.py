@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+import ast
 from functools import partial
 
 import numpy as np
 import pytest
 
 from derive.codegen.lowering.scalar_programs import SCALARS
-from derive.codegen.validation.runtime import RULED
+from derive.codegen.signatures import SIDES
+from derive.output import pages
 from tests.support import sampling
 from tests.support.libraries import LIBRARIES, QUICKLY, jax
 
@@ -75,6 +77,9 @@ STEP = 2.0**-11
 NEARLY = 1e-8
 """Error of a difference of fourth order: STEP⁴/30 ≈ 2e-15 times a fifth derivative up to 1e6, and eps/STEP ≈ 5e-13."""
 
+SIDED = {"twist": (SIDES["SPACE"], SIDES["BODY"]), "rate": (SIDES["SPACE_INV"], SIDES["BODY_INV"])}
+"""Tables of kernels that take a side; turns are those of a chart, and others take none."""
+
 OF_AXIS = ("turn", "shadow")
 """Kernels of one vector and a turn. They have no derivative at rest; a turn is of principal vectors alone."""
 
@@ -103,9 +108,8 @@ def places(module, n):
 def test_each_rule_is_the_difference_of_its_kernel(charts, chart):
     rules, call, module = charts("_rules"), charts("_chart").Call, charts(chart)
     n, turns = 3 if chart.startswith("rotation") else 6, module.CHART.turns[-1:]
-    tables = {**RULED, **dict.fromkeys(OF_AXIS, turns), "principal": (module.CHART.returns,)}
-    tables |= dict.fromkeys(rules.JACOBIANS, ((),))
-    assert tables.keys() == {*rules.RULES, *rules.JACOBIANS}
+    tables = dict.fromkeys((*rules.RULES, *rules.JACOBIANS), ((),)) | SIDED
+    tables |= {**dict.fromkeys(OF_AXIS, turns), "principal": (module.CHART.returns,)}
     draw = np.random.default_rng(7).normal
     for regime, vectors in places(module, n).items():
         for name in (name for name in tables if (name, regime) not in LEFT_OUT):
@@ -156,7 +160,8 @@ def test_slopes_are_differences_of_scalar_programs_along_a_ray(charts, chart):
     """Weigh every column of a rule's rows; a ray alone is differentiated at a constant size, not along a path."""
     slopes, chart = charts("_slopes"), charts(chart).CHART
     m, edge = charts("_libraries").functions_of("x", np.ones(1)), chart.scalars.coefficient
-    programs = slopes.Ruled(chart)
+    programs, bare = slopes.Ruled(chart), charts("_libraries").functions_of("x", np.ones(1))
+    bare.held = lambda a: 0 * a  # leaves the values of the expressions that give last results their derivatives
     for angle in (0.3, 1.0, 4.0):
         length = np.array([edge(m, np.array([angle]))[0][0]])
         for name, rule in slopes.SLOPES.items():
@@ -171,13 +176,71 @@ def test_slopes_are_differences_of_scalar_programs_along_a_ray(charts, chart):
                 return np.stack([0 * r + one for one in getattr(chart.scalars, name)(m, *given(r))])
 
             found, at = getattr(chart.scalars, name)(m, *given(length)), given(length)
-            last = slopes.LAST.get(name, lambda *_: ())
-            ends = len(last(m, programs, lambda *_, found=found: found, found, at))
+            last = slopes.LAST.get(name, lambda *_: ())(bare, chart.scalars, lambda *_, found=found: found, found, at)
+            constant = (
+                name == "tangent_dot_scalars"
+                and angle > 2
+                and not hasattr(programs.rate_scalars(m, length)[0], "shape")
+            )
+            ends = 0 if constant else len(last)  # at a constant rate and obtuse angles the last result has a slope too
+            for one, other in zip(last, found[len(found) - len(last) :], strict=True):
+                assert np.allclose(one, other, NEARLY, NEARLY), (name, angle)
             rates = difference(lambda r, given=given: np.stack(given(r)), [length], [1.0])
             expected = difference(value, [length], [1.0])[: len(found) - ends]
             rows = rule(m, programs, found, at)[: len(expected)]
             total = np.stack([sum(part * rate for part, rate in zip(row, rates, strict=True)) for row in rows])
             assert np.max(abs(total - expected)) < NEARLY * max(1, np.max(abs(expected))), (name, angle)
+
+
+@RULED_CHARTS
+def test_slopes_are_finite_at_rest(charts, chart):
+    slopes, chart = charts("_slopes"), charts(chart).CHART
+    m, programs = charts("_libraries").functions_of("x", np.ones(1)), slopes.Ruled(chart)
+    names = {*slopes.TOWERS, "tangent_dot_scalars", "quaternion_scalars", "rate_scalars"} - {"inverse_scalars"}
+    for name in sorted(names):
+        given = [np.zeros(1)] * len(SCALARS[name].arguments)
+        rows = slopes.SLOPES[name](m, programs, getattr(chart.scalars, name)(m, *given), given)
+        assert all(np.isfinite(part).all() for row in rows for part in row), name
+
+
+@RULED_CHARTS
+def test_slopes_of_shares_are_differences(charts, chart):
+    """Take squares on both sides of the limit between the two forms of a share's slopes."""
+    slopes, chart = charts("_slopes"), charts(chart).CHART
+    m = charts("_libraries").functions_of("x", np.ones(1))
+    programs = slopes.Ruled(chart), slopes.Ruled(slopes.STEPS)
+    for angle in (0.3, 1.5, 2.5):
+        length = chart.scalars.coefficient(m, np.array([angle]))[0]
+        for name, square in (("share_of_square", length**2), ("share_of_angle", np.array([angle**2]))):
+            share = partial(getattr(slopes, name), m, *programs)
+            _, slope, second, *bend = share(square)
+            found = np.stack([0 * square + one for one in (slope, second, *bend)])
+
+            def value(u, name=name, share=share):
+                further = getattr(slopes, f"_{name}")(m, *programs, u) if name == "share_of_angle" else ()
+                return np.stack([0 * u + one for one in (*share(u)[:2], *further[1:])])
+
+            expected = 2 * difference(value, [square], [1.0])
+            assert np.max(abs(found - expected)) < NEARLY * max(1, np.max(abs(expected))), (name, angle)
+
+
+def test_jax_and_pytorch_have_the_same_functions_of_rules():
+    """Compare parameters in the text, which needs neither library."""
+    found = []
+    for file in ("_jax.py", "_torch.py"):
+        body = ast.parse(pages.generated(f"array-api/{file}", "")).body
+        found.append({f.name: [a.arg for a in f.args.args] for f in body if isinstance(f, ast.FunctionDef)})
+    for name in ("held", "carry", "ruled", "unruled", "derivative"):
+        assert found[0][name] == found[1][name], name
+
+
+def test_scalar_programs_are_differentiated_by_their_rules_in_jax(charts, monkeypatch):
+    """Take a rule with another slope, which the text of the program does not have."""
+    monkeypatch.setitem(charts("_slopes").SLOPES, "rate_scalars", lambda *_: [(7,)])
+    x, chart = jax.numpy.array([0.5]), charts("cayley3").CHART
+    m = charts("_libraries").functions_of("x", x)
+    (found,) = jax.jvp(lambda x: m.scalars(chart).rate_scalars(m, x), (x,), (x / x,))[1]
+    assert found == 7
 
 
 @pytest.mark.parametrize(("dtype", "size"), [(np.float64, 1e-300), (np.float32, 1e-25)])

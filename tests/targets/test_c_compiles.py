@@ -13,9 +13,8 @@ from pathlib import Path
 import pytest
 
 from benchmarks import flight
-from derive.codegen.lowered import lower_chart
 from derive.codegen.rows import inside
-from derive.codegen.signatures import POSES, ROTATIONS
+from derive.codegen.signatures import POSES, ROTATIONS, lower_chart
 from derive.codegen.targets.c import levels, programs
 from derive.codegen.validation.c_text import prefix
 from derive.maps import Cayley

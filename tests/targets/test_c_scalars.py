@@ -24,8 +24,8 @@ import sympy
 
 from derive.codegen.build import print_package
 from derive.codegen.catalogue import committed
-from derive.codegen.lowered import lower_chart
 from derive.codegen.rows import Function, Table, inside
+from derive.codegen.signatures import lower_chart
 from derive.codegen.targets import TARGETS
 from derive.codegen.targets.c import levels
 from derive.codegen.validation.c_text import prefix

@@ -9,8 +9,7 @@ import numpy as np
 import pytest
 
 from benchmarks.c_form import FLAGS, TYPES, CForm, compiled
-from derive.codegen.lowered import lower_chart
-from derive.codegen.signatures import POSES, PUBLIC, ROTATIONS
+from derive.codegen.signatures import POSES, PUBLIC, ROTATIONS, lower_chart
 from derive.codegen.validation.compiled import compiler
 from derive.maps import Cayley
 

@@ -16,8 +16,7 @@ import numpy as np
 import pytest
 from numba import jit, njit
 
-from derive.codegen.lowered import geometry
-from derive.codegen.signatures import KERNELS
+from derive.codegen.signatures import KERNELS, geometry
 from derive.codegen.targets import numba
 from tests.support import sampling
 from tests.support.kernels import load

@@ -104,7 +104,6 @@ class Claim:
 
     @cached_property
     def dual(self) -> bool:
-        """Whether dual numbers occur."""
         apart = bool(with_trait(Trait.APART, *self.parts)) or epsilon in (a for p in self.parts for a in symbols(p))
         return apart or bool(self.entry.where) or any(kind(letter).dual for letter in self.coordinates)
 
@@ -211,7 +210,6 @@ class Claim:
         return bool(self.truth(place, negated(negated(domain)) if certain else domain))
 
     def with_statement(self, statement: Term) -> Claim:
-        """Return another claim about the same letters."""
         return replace(self, statement=statement)
 
 
@@ -225,12 +223,10 @@ def _related(statement: Term) -> tuple[Term, ...]:
 
 
 def kind(letter: Symbol) -> Kind:
-    """Return the kind of a letter."""
     return KINDS[letter.quantity.name]
 
 
 def _lifted(value: Any) -> Any:
-    """Return a value with balls as numbers."""
     if isinstance(value, Structure):
         return value.map(_lifted)
     return Dual(_lifted(value.re), _lifted(value.du)) if isinstance(value, Dual) else Ball(arb(value))
@@ -245,7 +241,6 @@ def _equations(domain: Term) -> Iterator[Term]:
 
 
 def operators(*statements: Term) -> set[str]:
-    """Return the names of the operators of statements."""
     return {node.operator.name for statement in statements for node in walk(statement)}
 
 

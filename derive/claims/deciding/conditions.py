@@ -9,10 +9,10 @@ from fractions import Fraction
 from ...algebra import Structure, Tensor
 from ...algebra.matrix import Matrix
 from ..language.environment import Env
+from ..language.matrices import at_least, at_most, greater, unlike
 from ..language.operations import written
 from ..language.operator_table import Re, cos, det, nonzero, norm, over, remark, sin, trace
 from ..language.printed import Number, Term, Trait, symbols
-from ..language.relations import at_least, at_most, greater, unlike
 from ..numbers.balls import BlurredError, precision
 from ..numbers.fields import innermost
 from .claim import Claim, Place, kind
@@ -133,7 +133,6 @@ def plain(probe: Probe, requirement: Exclusion) -> str:
 
 
 def _real(subject: Term) -> Term:
-    """Return the real part of a term with dual letters."""
     if subject.operator is norm:
         return norm(_real(*subject.arguments))
     return subject if subject.operator is Re else Re(subject)

@@ -166,7 +166,6 @@ def _solved(left: Any, x: list[Any], damping: int = DAMPING) -> list[Any] | None
 
 
 def _slopes(left: Any, x: list[Any], now: list[Any]) -> list[list[Any]]:
-    """Return the derivatives of all differences by each coordinate."""
     step, rows = flint.arb(2) ** -STEP, []
     for i in range(len(x)):
         beside = left([Ball(c + step if i == k else c) for k, c in enumerate(x)])

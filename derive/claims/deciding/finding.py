@@ -17,7 +17,7 @@ from itertools import pairwise
 from typing import Any
 
 from ...algebra.element import Element, NotExactError
-from ...algebra.mixed import MeaninglessError
+from ...algebra.structures import MeaninglessError
 from ..language import operator_table
 from ..language.environment import Env
 from ..language.operations import written
@@ -102,7 +102,6 @@ class Outcome:
 
     @property
     def points(self) -> int:
-        """Number of points that told."""
         return len(self.true) + len(self.false) + len(self.undefined)
 
     @property
@@ -111,11 +110,9 @@ class Outcome:
         return sum(place.generic for place in self.true) >= REGION_MIN
 
     def add(self, truth: bool | None, place: Place) -> None:
-        """Add a point."""
         (self.undefined if truth is None else self.true if truth else self.false).append(place)
 
     def tried(self, claim: Claim, found: Iterable[Place], enough: Callable[[Outcome], bool]) -> Outcome:
-        """Add the truth of a claim at points, until there are enough."""
         for place in found:
             try:
                 self.add(claim.truth(place), place)

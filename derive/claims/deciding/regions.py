@@ -9,11 +9,10 @@ from functools import partial, reduce
 from itertools import combinations, product
 from typing import Any
 
-from ..language.matrices import entry, stacked
+from ..language.matrices import at_least, at_most, entry, greater, less, stacked
 from ..language.operations import written
 from ..language.operator_table import both, conjugate, norm, pi, trace
 from ..language.printed import Number, Symbol, Term, Trait, symbols, walk
-from ..language.relations import at_least, at_most, greater, less
 from ..numbers.balls import Ball, Balls, BlurredError, arb
 from ..numbers.fields import innermost
 from .claim import Claim, Place, kind

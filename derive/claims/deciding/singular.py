@@ -106,7 +106,6 @@ def _half_turn(value: Any) -> Any:
 
 
 def is_integer(letter: Symbol) -> bool:
-    """Return whether a letter is an order or an integer."""
     return letter.quantity is ORDER or (letter.quantity is not SIGN and kind(letter).spread == "integer")
 
 

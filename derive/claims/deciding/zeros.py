@@ -49,7 +49,6 @@ class Line:
 
     @property
     def one_sided(self) -> bool:
-        """Whether t is not negative."""
         return self.radial or kind(self.letter).spread == "positive"
 
     @property
@@ -61,7 +60,6 @@ class Line:
         return f"t along {self.letter.name}"
 
     def point(self, t: Any) -> dict[Symbol, Any]:
-        """Return the coordinates at t."""
         scale: Any = t
         if self.radial:
             scale = t / Ball(arb(sum(d * d for d in self.direction)).sqrt())

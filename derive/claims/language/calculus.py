@@ -73,7 +73,6 @@ def _expanded(env: Env, body: Term, letter: Term, at: Any, direction: Any, terms
 
 
 def _directions(at: Any) -> Iterator[Any]:
-    """Yield the coordinate directions of a number or column."""
     if not isinstance(at, Structure):
         yield 1
         return
@@ -89,7 +88,6 @@ def _marks(size: int, i: int) -> Callable[[Any], int]:
 
 
 def _derivatives(env: Env, body: Term, letter: Term, at: Term) -> tuple[Any, list[Any]]:
-    """Return the value of a term and its derivatives by each component of a letter."""
     place = env.value(at)
     found = [_expanded(env, body, letter, place, direction, 2) for direction in _directions(place)]
     return found[0][0], [slope for _, slope in found]
@@ -193,7 +191,6 @@ def _by_taylor(env: Env, body: Term, letter: Term, a: Any, b: Any, pieces: int) 
 
 
 def _widened(value: Any, error: Any) -> Any:
-    """Return a value whose balls include an error of this size."""
     if isinstance(value, Structure):
         return value.map(lambda c: _widened(c, error))
     if isinstance(value, Dual):

@@ -9,23 +9,22 @@ from collections.abc import Sequence
 from itertools import pairwise
 from typing import Any
 
-from . import operations, operator_table, relations, shapes
-from .abbreviations import Abbreviation, ClaimError, Scope, call, latex_of
+from . import matrices, names, operations, operator_table
 from .grammar import Grammar, source
 from .letters import LITERALS, integer
+from .names import Abbreviation, ClaimError, Kind, KindError, Scope, call, latex_of
 from .operations import CONSTANTS, OPERATIONS
 from .printed import Number, Symbol, Term
-from .shapes import Kind, KindError
 
 POWER_MAX = 64
 """Largest power that is a written number."""
 COUNTED = ("sum", "all")
 """Operations over an integer letter, which is their first argument."""
 RELATIONS: dict[type[ast.cmpop], Any] = {
-    ast.Eq: operator_table.equal, ast.NotEq: relations.unlike, ast.Lt: relations.less, ast.LtE: relations.at_most,
-    ast.Gt: relations.greater, ast.GtE: relations.at_least,
+    ast.Eq: operator_table.equal, ast.NotEq: matrices.unlike, ast.Lt: matrices.less, ast.LtE: matrices.at_most,
+    ast.Gt: matrices.greater, ast.GtE: matrices.at_least,
 }
-JOINS: dict[type[ast.boolop], Any] = {ast.And: operator_table.both, ast.Or: relations.either}
+JOINS: dict[type[ast.boolop], Any] = {ast.And: operator_table.both, ast.Or: matrices.either}
 SUMS: dict[type[ast.operator], str] = {ast.Add: "+", ast.Sub: "-"}
 HINTS = {"^": "a power is **", "@": "a product is *", "lambda": "", "=": "a relation is =="}
 
@@ -74,7 +73,7 @@ def statement(text: str, scope: Scope) -> Term:
     node = tree(text)
     term, kind = Reader(text, scope).read(node)
     if kind != "truth":
-        raise ClaimError(f"a claim is a relation such as a == b, got {shapes.name(kind)}", node.col_offset + 1)
+        raise ClaimError(f"a claim is a relation such as a == b, got {names.name(kind)}", node.col_offset + 1)
     return term
 
 
@@ -87,7 +86,6 @@ class Reader:
         self.text = self.text.strip()
 
     def error(self, message: str, node: ast.expr) -> ClaimError:
-        """Return the error at a node."""
         return ClaimError(message, node.col_offset + 1 + self.shift)
 
     def read(self, node: ast.expr) -> tuple[Term, Kind]:
@@ -143,7 +141,7 @@ class Reader:
     def _relation(self, node: ast.expr) -> Term:
         term, kind = self.read(node)
         if kind != "truth":
-            raise self.error(f"a relation is expected, got {shapes.name(kind)}", node)
+            raise self.error(f"a relation is expected, got {names.name(kind)}", node)
         return term
 
     def _signed(self, node: ast.UnaryOp) -> tuple[Term, Kind]:
@@ -156,7 +154,7 @@ class Reader:
 
     def _power(self, node: ast.BinOp) -> tuple[Term, Kind]:
         (base, kind), (exponent, of) = self.read(node.left), self.read(node.right)
-        result = shapes.power_kind(kind, of)
+        result = names.power_kind(kind, of)
         written = integer(node.right)
         if written is not None:
             if abs(written) > POWER_MAX:
@@ -171,13 +169,13 @@ class Reader:
         if "truth" in (left, right):
             raise self.error("a relation is no number", node)
         if isinstance(node.op, ast.Div):
-            kind = shapes.quotient_kind(left, right)
+            kind = names.quotient_kind(left, right)
             if isinstance(b, Number) and b.value == 0:
                 raise self.error("division by zero", node.right)
             return a / b, kind
         if isinstance(node.op, ast.Mult):
-            return a * b, shapes.product_kind(left, right)
-        kind = shapes.sum_kind(left, right, SUMS[type(node.op)])
+            return a * b, names.product_kind(left, right)
+        kind = names.sum_kind(left, right, SUMS[type(node.op)])
         return (a + b if isinstance(node.op, ast.Add) else a - b), kind
 
     def _compared(self, node: ast.Compare) -> tuple[Term, Kind]:
@@ -186,7 +184,7 @@ class Reader:
         for op, (a, left), (b, right), at in zip(node.ops, sides, sides[1:], nodes[1:], strict=False):
             ordered = not isinstance(op, ast.Eq | ast.NotEq)
             try:
-                shapes.require_comparable(left, right, shapes.ZERO in (a, b), ordered)
+                names.require_comparable(left, right, names.ZERO in (a, b), ordered)
             except KindError as error:
                 raise self.error(str(error), at) from None
         terms = [term for term, _ in sides]

@@ -72,11 +72,9 @@ class Env:
         return dataclasses.replace(self, values={**kept, index: value})
 
     def equal(self, a: Any, b: Any) -> bool:
-        """Return whether two values are equal, component by component."""
         return values.equal(self.field, a, b)
 
     def rate(self, a: Any) -> Any:
-        """Return the time derivative of a value."""
         if isinstance(a, Structure):
             return a.map(self.rate)
         if self.dual:

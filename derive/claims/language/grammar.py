@@ -82,7 +82,6 @@ class Grammar:
         return int(whole + rest or 0), exponent - len(rest)
 
     def refused(self, node: ast.expr, text: str) -> Exception:
-        """Return the error for a node that is not allowed."""
         known = f"known are {self.known}"
         if isinstance(node, ast.BinOp) and isinstance(node.op, ast.BitXor):
             known = "write ** for a power"

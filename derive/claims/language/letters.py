@@ -9,11 +9,10 @@ from typing import Any, Protocol
 
 from ..numbers import kinds as rows
 from . import matrices
-from .abbreviations import ClaimError, latex_of
 from .grammar import source
+from .names import POSE, TENSOR, TWIST, VECTOR, ClaimError, Kind, is_number, latex_of, name
 from .operations import CONSTANTS
 from .printed import Number, Symbol, Term
-from .shapes import POSE, TENSOR, TWIST, VECTOR, Kind, is_number, name
 
 LETTERS: dict[str, tuple[str, Kind, str]] = {
     "real": ("real", "number", "real number"),
@@ -78,7 +77,6 @@ class Reader(Protocol):
 
 
 def integer(node: ast.expr) -> int | None:
-    """Return a written integer, or None."""
     match node:
         case ast.Constant(value=int(value)):
             return value

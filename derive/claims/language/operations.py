@@ -6,10 +6,10 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from . import calculus, matrices, operator_table, relations
+from . import calculus, matrices, operator_table
 from .calculus import BINDERS
+from .names import POSE, TENSOR, TESTS, TWIST, VECTOR, Kind, KindError, article, is_number, name
 from .printed import Number, Symbol, Term, text
-from .shapes import POSE, TENSOR, TESTS, TWIST, VECTOR, Kind, KindError, article, is_number, name
 
 Gives = Kind | Callable[..., Kind]
 
@@ -44,7 +44,6 @@ class Operation:
 
 
 def same(kind: Kind, *rest: Kind) -> Kind:
-    """Return the kind of the first argument."""
     return kind
 
 
@@ -114,7 +113,7 @@ OPERATIONS: dict[str, Operation] = {
                       "magnitude of a number, column or quaternion", "norm(v)"),
     "dot": Operation(("column", "column"), "number", t.dot, "scalar product of two columns", "dot(v, w)"),
     "cross": Operation(("vector", "vector"), VECTOR, t.cross, "vector product", "cross(v, w)"),
-    "distance": Operation(("vector", "vector"), "number", relations.distance,
+    "distance": Operation(("vector", "vector"), "number", matrices.distance,
                           "shortest distance of two lines, given by unit dual vectors", "distance(v, w)"),
     "dyad": Operation(("vector", "vector"), TENSOR, t.dyad, "dyadic product v wᵀ", "dyad(v, w)"),
     "skew": Operation(("vector or twist",), _skew, t.skew, "matrix with skew(v) w = v × w; of a twist its 4x4 matrix",
@@ -141,15 +140,15 @@ OPERATIONS: dict[str, Operation] = {
     "cos": _function(t.cos, "cosine", "cos(a)"),
     "tan": _function(t.tan, "tangent", "tan(a)"),
     "cot": _function(t.cot, "cotangent", "cot(a)"),
-    "asin": _function(relations.asin, "arc sine in [−π/2, π/2]", "asin(x)"),
-    "acos": _function(relations.acos, "arc cosine in [0, π]", "acos(x)"),
+    "asin": _function(matrices.asin, "arc sine in [−π/2, π/2]", "asin(x)"),
+    "acos": _function(matrices.acos, "arc cosine in [0, π]", "acos(x)"),
     "atan": _function(t.arctan, "arc tangent in (−π/2, π/2)", "atan(x)"),
-    "atan2": Operation(("number", "number"), "number", relations.atan2, "angle of the point (x, y) in (−π, π]",
+    "atan2": Operation(("number", "number"), "number", matrices.atan2, "angle of the point (x, y) in (−π, π]",
                        "atan2(y, x)"),
-    "sinh": _function(relations.sinh, "hyperbolic sine", "sinh(x)"),
-    "cosh": _function(relations.cosh, "hyperbolic cosine", "cosh(x)"),
-    "tanh": _function(relations.tanh, "hyperbolic tangent", "tanh(x)"),
-    "sinc": _function(relations.sinc, "sin x/x, and 1 at 0", "sinc(x)"),
+    "sinh": _function(matrices.sinh, "hyperbolic sine", "sinh(x)"),
+    "cosh": _function(matrices.cosh, "hyperbolic cosine", "cosh(x)"),
+    "tanh": _function(matrices.tanh, "hyperbolic tangent", "tanh(x)"),
+    "sinc": _function(matrices.sinc, "sin x/x, and 1 at 0", "sinc(x)"),
     "vector": Operation(("number", "number", "number"), VECTOR, matrices.vector, "vector of three components",
                         "vector(a, b, c)"),
     "stack": Operation(("number or matrix", "number or matrix"), _stacked, matrices.stacked,
@@ -183,12 +182,12 @@ OPERATIONS: dict[str, Operation] = {
                         "series(exp(x), x, 3)", binds=True),
     "binomial": Operation(("integer", "integer"), "integer", t.binomial, "binomial coefficient", "binomial(n, k)"),
     "factorial": Operation(("integer",), "integer", t.factorial, "factorial", "factorial(k)"),
-    "floor": Operation(("number",), "integer", relations.floor, "largest integer below", "floor(n/2)"),
-    "p": Operation(("integer", "number"), "number", relations.p, "polynomial p_n of CP23", "p(n, x)"),
-    "q": Operation(("integer", "number"), "number", relations.q, "polynomial q_n of CP23", "q(n, x)"),
-    "cay": Operation(("integer", "vector"), TENSOR, relations.cay, "rotation of tan(α/2n) u", "cay(n, v)"),
-    "dcay": Operation(("integer", "vector"), TENSOR, relations.dcay, "tangent operator of cay", "dcay(n, v)"),
-    "dexp": Operation(("vector",), TENSOR, relations.dexp, "tangent operator of exp(skew(v))", "dexp(v)"),
+    "floor": Operation(("number",), "integer", matrices.floor, "largest integer below", "floor(n/2)"),
+    "p": Operation(("integer", "number"), "number", matrices.p, "polynomial p_n of CP23", "p(n, x)"),
+    "q": Operation(("integer", "number"), "number", matrices.q, "polynomial q_n of CP23", "q(n, x)"),
+    "cay": Operation(("integer", "vector"), TENSOR, matrices.cay, "rotation of tan(α/2n) u", "cay(n, v)"),
+    "dcay": Operation(("integer", "vector"), TENSOR, matrices.dcay, "tangent operator of cay", "dcay(n, v)"),
+    "dexp": Operation(("vector",), TENSOR, matrices.dexp, "tangent operator of exp(skew(v))", "dexp(v)"),
     "implies": Operation(("relation", "relation"), "truth", t.implies, "the second where the first is true",
                          "implies(x > 0, sqrt(x**2) == x)"),
 }
@@ -200,7 +199,6 @@ CONSTANTS: dict[str, tuple[Symbol, Kind]] = {
 
 
 def term(call: str, arguments: Sequence[Term], kinds: Sequence[Kind]) -> tuple[Term, Kind]:
-    """Return the term of a call and its kind; raise KindError."""
     row = OPERATIONS[call]
     kind = row.kind(call, kinds)
     return row.term(*arguments), kind

@@ -149,7 +149,6 @@ infinity = Symbol("infinity", "∞", r"\infty", "∞")
 
 
 def _counting(count: Callable[..., int]) -> Callable[..., int]:
-    """Return the value of a function of integers that are not negative."""
     def value(env: Env, *numbers: int) -> int:
         if any(number < 0 for number in numbers):
             raise UndefinedError("a count of a negative number")

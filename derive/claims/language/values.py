@@ -11,9 +11,9 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
-from ...algebra import Dual, Quaternion, Structure, Tensor, Vector, matrix, mixed
-from ...algebra.mixed import quaternion as quaternion
+from ...algebra import Dual, Quaternion, Structure, Tensor, Vector, matrix, structures
 from ...algebra.pose import Pose
+from ...algebra.structures import quaternion as quaternion
 from ..numbers.fields import Field
 
 
@@ -79,12 +79,11 @@ def _of_either(f: Callable[[Any, Any], Any]) -> Callable[[Any, Any], Any]:
     return lifted
 
 
-add = _of_either(mixed.add)
+add = _of_either(structures.add)
 """Sum; a number plus a vector is a quaternion."""
 
 
 def negative(a: Any) -> Any:
-    """Return the negative of a value."""
     return a.map(negative) if isinstance(a, Either) else -a
 
 
@@ -95,7 +94,7 @@ def multiply(a: Any, b: Any) -> Any:
         return a @ b
     if isinstance(a, Structure) and isinstance(b, Structure) and matrix.Matrix in (type(a), type(b)):
         return matrix.product(a, b)
-    return mixed.multiply(a, b)
+    return structures.multiply(a, b)
 
 
 @_of_either
@@ -110,7 +109,6 @@ def divide(a: Any, b: Any) -> Any:
 
 
 def dot(a: Any, b: Any) -> Any:
-    """Return the scalar product of two columns, or the product of numbers."""
     if isinstance(a, Vector) and isinstance(b, Vector):
         return a.dot(b)
     return multiply(matrix.transposed(a) if isinstance(a, matrix.Matrix) else a, b)
@@ -131,12 +129,10 @@ def square(a: Any) -> Any:
 
 
 def re(a: Any) -> Any:
-    """Return the real part."""
     return getattr(a, "re", a)
 
 
 def du(a: Any) -> Any:
-    """Return the dual part."""
     return getattr(a, "du", 0)
 
 
@@ -154,17 +150,14 @@ def det(a: Any) -> Any:
 
 
 def rotation(T: Any) -> Any:
-    """Return the rotation of a 4x4 matrix."""
     return matrix.part(T, range(3), range(3))
 
 
 def translation(T: Any) -> Any:
-    """Return the translation of a 4x4 matrix."""
     return matrix.part(T, range(3), range(3, 4))
 
 
 def pose(R: Any, p: Any, one: int = 1) -> Any:
-    """Return the 4x4 matrix of a rotation and a translation."""
     return matrix.blocks([[R, p], [matrix.shaped([[Fraction(0)] * 3]), Fraction(one)]])
 
 

@@ -33,7 +33,6 @@ class BlurredError(Exception):
 
 @contextmanager
 def precision(bits: int) -> Iterator[None]:
-    """Compute with balls of this many bits."""
     context, before = flint.ctx, flint.ctx.prec
     context.prec = bits
     try:
@@ -133,7 +132,6 @@ def arb(value: Any) -> Any:
 
 
 def widened(a: Any, error: Any) -> Ball:
-    """Return a number as a ball that includes an error of this size."""
     middle, size = arb(a), abs(arb(error)).upper()
     return Ball((middle - size).union(middle + size))
 

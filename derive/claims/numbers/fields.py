@@ -12,7 +12,7 @@ from operator import matmul, mul
 from typing import Any
 
 from ...algebra import Dual, Quaternion, Structure, Tensor, Vector, real_part
-from ...algebra.cayley_pairs import pair
+from ...algebra.arithmetic import pair
 from ...algebra.element import Element, NotExactError
 from ...algebra.exact import AngleField
 from ...algebra.functions import Elementary
@@ -41,11 +41,9 @@ class Field(Elementary):
         return a if isinstance(a, Dual) and a == 0 else super().sqrt(a)
 
     def atan(self, a: Any) -> Any:
-        """Return the principal arc tangent."""
         return self.atan2(a, 1)
 
     def absolute(self, a: Any) -> Any:
-        """Return the magnitude of a number."""
         return abs(a)
 
     def floor(self, a: Any) -> int:
@@ -92,7 +90,6 @@ class Field(Elementary):
         return Quaternion(size * self.cos(angle), size * self.sin(angle) / length * w)
 
     def same(self, a: Any, b: Any) -> bool:
-        """Return whether two plain numbers are equal."""
         return bool(a == b)
 
     def compared(self, test: Callable[[Any, Any], bool], a: Any, b: Any) -> bool:
@@ -114,7 +111,6 @@ class Field(Elementary):
 
     @property
     def pi(self) -> Any:
-        """The number π."""
         raise NotExactError("π")
 
 
@@ -181,7 +177,6 @@ class Constants(Exact):
 
 
 def innermost(a: Any) -> Any:
-    """Return the innermost real part of a nested dual number."""
     while isinstance(a, Dual):
         a = a.re
     return a

@@ -143,11 +143,9 @@ class Ideal:
         self._basis, _ = given.buchberger_naive(limits=LIMITS)
 
     def contains(self, element: Element) -> bool:
-        """Return whether the numerator of an exact number is a combination of the given ones."""
         return bool(self._integral(element).reduction_primitive_part(self._basis) == 0)
 
     def _integral(self, element: Element) -> Any:
-        """Return the numerator with integers as coefficients."""
         terms = element.ring.library.terms(element.numerator)
         scale = lcm(*(c.denominator for c in terms.values()))
         return self._context.from_dict({powers: int(c * scale) for powers, c in terms.items()})

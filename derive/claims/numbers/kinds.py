@@ -94,7 +94,6 @@ def versor(c: Numbers) -> Quaternion:
 
 
 def _pose(c: Numbers) -> Any:
-    """Return the pose of a rotation, then a displacement."""
     rows = [(*row, d) for row, d in zip(turned(c).rows, c[4:], strict=True)]
     return shaped([*rows, (0, 0, 0, 1)])
 
@@ -189,7 +188,6 @@ def exact(kind: Kind) -> Callable[[Any, str], Any]:
 
 
 def special(kind: Kind) -> dict[str, Numbers]:
-    """Return the special coordinates of a kind by label."""
     with precision(SPECIAL_BITS):
         return dict(kind.special(Balls().pi))
 

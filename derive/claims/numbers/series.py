@@ -138,12 +138,10 @@ class Series:
         return difference.coefficients[0]
 
     def derivative(self) -> Series:
-        """Return the derivative by s."""
         found = [k * c for k, c in enumerate(self.coefficients, self.order)]
         return Series(self.field, self.order - 1, found)
 
     def integral(self, constant: Any) -> Series:
-        """Return the integral over s with this constant."""
         if self.order < 0 and self.coefficients:
             raise UndefinedError("the integral of a pole")
         found = [self[k] / self.field.number(k + 1) for k in range(self.end)]
@@ -156,7 +154,6 @@ def _convolved(a: Sequence[Any], b: Sequence[Any]) -> list[Any]:
 
 
 def _divided(a: Sequence[Any], b: Sequence[Any]) -> list[Any]:
-    """Return the coefficients of a quotient, as many as each has."""
     found: list[Any] = []
     for k in range(len(a)):
         rest = a[k]
@@ -176,7 +173,6 @@ class SeriesField(Field):
         self.one_sided = False
 
     def series(self, a: Any) -> Series:
-        """Return a number as a series of this field."""
         if isinstance(a, Series) and a.field is self:
             return a
         return self.at(a, 0)
@@ -191,12 +187,9 @@ class SeriesField(Field):
         return Fraction(a) if isinstance(a, int) else a
 
     def is_zero(self, a: Any) -> bool:
-        """Return whether a coefficient is zero."""
         return not a if isinstance(a, int | Fraction) else self.base.vanishes(a)
 
     def real(self, name: str, *values: Any) -> Callable[..., Any]:
-        """Return a function for numbers of this field."""
-
         def of_series(*arguments: Any) -> Any:
             if not any(isinstance(a, Series) and a.field is self for a in arguments):
                 return getattr(self.base, name)(*arguments)

@@ -51,17 +51,14 @@ class Chapter:
     results: tuple[Result, ...]
 
     def of(self, status: Status) -> tuple[Result, ...]:
-        """Return the results with a status."""
         return tuple(result for result in self.results if result.status is status)
 
     @property
     def counts(self) -> dict[Status, int]:
-        """Number of results of each status."""
         return {status: len(self.of(status)) for status in MEANING}
 
     @property
     def of_file(self) -> bool:
-        """Whether the results are claims of a file."""
         return any(result.equation.written is not None for result in self.results)
 
 
@@ -94,12 +91,10 @@ class Report:
 
     @property
     def of_files(self) -> bool:
-        """Whether all results are claims of files."""
         return all(chapter.of_file for chapter in self.chapters)
 
     @property
     def results(self) -> tuple[Result, ...]:
-        """All results."""
         return tuple(result for chapter in self.chapters for result in chapter.results)
 
     @property
@@ -110,11 +105,9 @@ class Report:
 
     @property
     def failed(self) -> tuple[StatementProof, ...]:
-        """Proofs that failed."""
         return tuple(proof for proof in self.proofs if not proof.proved)
 
     def link(self, result: Result) -> str:
-        """Return a link to the module that defines the entry of a result."""
         return f"{self.root}/{result.equation.source}" if self.root else ""
 
 

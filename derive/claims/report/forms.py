@@ -6,9 +6,8 @@ import json
 import re
 from collections.abc import Callable, Iterator
 
-from ...output.facts import json_rows
+from ...output.pages import holes, json_rows, render
 from ...output.shown import WIDTH, Column, Grid
-from ...output.templates import holes, render
 from ..language.operations import written
 from ..language.operator_table import define
 from ..language.printed import ATOM, LIST, POWER, PRODUCT, RELATION, SUM, Term, latex
@@ -41,7 +40,6 @@ Rows = Iterator[tuple[str, ...]]
 
 
 def as_text(report: Report, width: int = WIDTH) -> str:
-    """Return the report as plain text of at most this width."""
     return "\n".join(grid.text(width) for grid in _grids(report))
 
 
@@ -91,7 +89,6 @@ def _full(result: Result) -> Rows:
 
 
 def table(chapter: Chapter, status: Status) -> Grid:
-    """Return the table of a paper's results with one status."""
     second, third, rows_of = TABLES[status]
     title = f"{chapter.paper.short}, {status}: {MEANING[status]}"
     last = Column(third, ratio=3 if status is Status.ERRATUM else 2)
@@ -101,7 +98,6 @@ def table(chapter: Chapter, status: Status) -> Grid:
 
 
 def _erratum(result: Result) -> Rows:
-    """Yield the rows of an erratum: both forms, the method, and a numerical counterexample."""
     yield _name(result), _lines(plain(result.printed), *domain(result)), plain(result.corrected or "")
     yield KNOWN, result.method, readings(result)
     if result.counterexample is not None:
@@ -114,7 +110,6 @@ def _ambiguous(result: Result) -> Rows:
 
 
 def _true(result: Result) -> Rows:
-    """Yield the row of an equation with its domain and method."""
     yield _name(result), plain(result.printed), _lines(*domain(result), result.method)
 
 
@@ -214,7 +209,6 @@ def in_cell(latex: str) -> str:
 
 
 def mathml(latex: str) -> str:
-    """Return the formula as displayed MathML."""
     from latex2mathml.converter import convert  # slow import, needed by one format only
 
     return str(convert(re.sub(r"\\text\{([^{}$]*(?:\$[^$]*\$[^{}$]*)+)\}", _apart, latex), display="block"))

@@ -30,7 +30,6 @@ _WHOLE = re.compile(r"[^\s+\-−·×/=]+")
 
 
 def plain(latex: str) -> str:
-    """Return a LaTeX formula as one line of Unicode."""
     line = _sequence(iter(_TOKENS.findall(latex)))
     return unicodedata.normalize("NFC", re.sub(r"\s+", " ", line).strip())
 

@@ -19,7 +19,6 @@ def flat(rows: Iterable[Iterable[Number]]) -> Iterator[Number]:
 
 
 def rows_of(entries: Sequence[Number]) -> Rows:
-    """Return the rows of a matrix of nine entries."""
     return Vector(*entries[:3]), Vector(*entries[3:6]), Vector(*entries[6:])
 
 
@@ -174,7 +173,6 @@ PROGRAMS = product, normalized, pose_of, tensor_of  # recipes; each follows the 
 
 
 def _given(trace: Geometry, argument: str) -> tuple[Number, ...]:
-    """Declare a dual quaternion of eight components."""
     return trace.inputs(argument, [f"{argument}{i}{mark}" for mark in ("", "o") for i in range(4)])
 
 

@@ -67,7 +67,6 @@ class Geometry(Trace):
         return replace(program, results=tuple(result.rstrip("°") for result in names))
 
     def numbers(self, *names: str) -> tuple[Number, ...]:
-        """Declare parameters that are single numbers."""
         return tuple(self.inputs(name, [name])[0] for name in names)
 
     def components(self, argument: str, letter: str, count: int) -> tuple[Number, ...]:
@@ -185,7 +184,6 @@ def _list_name(pattern: str, program: Program) -> str:
 
 
 def is_dual(name: str) -> bool:
-    """Tell from its name whether a component is a dual part."""
     return name.endswith(("o", "°"))
 
 
@@ -247,13 +245,11 @@ class Point:
 
     @cached_property
     def squares(self) -> tuple[Number, Number, Number]:
-        """Return v1², v2², v3²."""
         first, second, third = (self.name(name, c * c) for name, c in zip(SQUARES, self.re, strict=True))
         return first, second, third
 
     @cached_property
     def x(self) -> Number:
-        """Return x = Re v·v."""
         return self.name("x", self.re.dot(self.re))
 
     @cached_property
@@ -263,7 +259,6 @@ class Point:
 
     @cached_property
     def v(self) -> Vector:
-        """Return v as a vector of dual numbers."""
         return Vector.dual(self.re, self.du)
 
     def lifted(self, function: str, letters: Sequence[str]) -> tuple[Number, ...]:
@@ -276,6 +271,5 @@ class Point:
         return Dual(value, self.name(letter + "o", slope * self.y))
 
     def scalars(self, function: str) -> tuple[Number, ...]:
-        """Return the results of a scalar program at x."""
         of_squares = SCALARS[function].arguments == SQUARES
         return self.trace.ask(function, self.squares if of_squares else (self.x,), self.mark)

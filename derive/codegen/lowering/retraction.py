@@ -6,14 +6,11 @@ from collections.abc import Sequence
 
 from ...algebra import Quaternion, Vector
 from ...maps.exponential import Exponential, PrincipalScalars, StepScalars
-from ...maps.noise import NOISE_OF_STEPS, at_turn
-from ...maps.real_constants import SMALL
+from ...maps.real_constants import NOISE_OF_STEPS, SMALL, at_turn
 from ..programs.program import Number
-from .calculus import matrix6
+from .calculus import matrix6, opposite, tangent, tangent_at, tangent_inverse_at
 from .forward import tensor_at, translation
-from .groups import dual_product
-from .inverse import composed, displacement, dual_part, dual_part_at, product
-from .kinematics import opposite, tangent, tangent_at, tangent_inverse_at
+from .inverse import composed, displacement, dual_part, dual_part_at, dual_product, product
 from .point import LAYOUTS, Geometry, Point, Results, dual_tensor
 
 EXPONENTIAL = Exponential()
@@ -216,8 +213,8 @@ class _Followed:
         trace, name = self.trace, self.trace.name
         ss = name("ss" + mark, q.vector.dot(q.vector))
         still = name("still" + mark, trace.equal(ss, 0))
-        # never take the root of 0: its infinite slope times 0 would spoil the gradient; NaN where the square overflows
-        root = name("root" + mark, trace.sqrt(trace.where(still, 1 + ss, ss)) + (ss - ss))
+        # never take the root of 0: its infinite slope times 0 would spoil the gradient
+        root = name("root" + mark, trace.sqrt(trace.where(still, 1 + ss, ss)))
         length = trace.where(still, ss, self.side * root)
         sine = name("sine" + mark, trace.where(self.apart, length, q.vector.dot(self.axis)))
         sign = name("sign" + mark, trace.where(self.apart, self.side, 1))

@@ -11,54 +11,9 @@ import sympy
 from ...algebra import Quaternion
 from ...maps.chart import Chart, Followed
 from ...maps.multiple import FURTHER_POWERS, POWERS
-from ...maps.noise import NOISE_OF_ANGLE
-from ...maps.real_constants import number, plus
+from ...maps.real_constants import NOISE_OF_ANGLE, number, plus
 from ..programs.program import Constant, Number, Program
 from ..programs.trace import Trace
-
-FORMULAS: Mapping[str, tuple[str, str, tuple[str, ...]]] = {
-    "quaternion_scalars": (
-        "unit quaternion `q = s + w v`; slopes `sy = 2 ds/dx`, `wy = 2 dw/dx`",
-        "`s = p/(1 + x)^(n/2)`, `w = q/(1 + x)^(n/2)`",
-        ("quaternion",),
-    ),
-    "pose_scalars": (
-        "`R = I + f skew(v) + g skew(v)^2`, `T = f I + g skew(v) + h v(x)v`",
-        "`f = 2 p q/(1 + x)^n`, `g = 2 q^2/(1 + x)^n`, `h = 2 c/(1 + x)^n`, `x c = n (1 + x)^(n - 1) - p q`",
-        ("tensor", "tangent"),
-    ),
-    "tangent_scalars": ("f, g, h of T with slopes `fy = 2 df/dx`, gy, hy", "", ("tangent",)),
-    "tangent_dot_scalars": (
-        "f, g, h of T, slopes `fy = 2 df/dx`, gy, hy, second slopes `fyy = 2 dfy/dx`, gyy, hyy", "", (),
-    ),
-    "rate_scalars": ("`T v = rate v`: `rate = 1/phi' = f + x h`", "`rate = 2n/(1 + x)`", ()),
-    "inverse_scalars": (
-        "`T^-1 = (fi I - skew(v) + hi v(x)v)/2`", "`fi = p/q`, `hi = d/(n q)`, `x d = (1 + x) q - n p`",
-        ("tangent_inv",),
-    ),
-    "inverse_at": ("hi of T^-1 at a known angle, and for ai `fi + x hi = 2 phi'`", "", ()),
-    "tangent_inv_at": ("fi, hi, ai of T^-1 at a known angle, with slopes `fiy = 2 dfi/dx`, hiy", "", ()),
-    "tangent_inv_scalars": ("fi, hi of T^-1 with slopes `fiy = 2 dfi/dx`, hiy", "", ("tangent_inv",)),
-    "tangent_inv_dot_scalars": ("fi, hi of T^-1 with slopes fiy, hiy and second slopes fiyy, hiyy", "", ()),
-    "ray": ("`a + b v = size q` for the unit quaternion q, size > 0, and f, g, h of R and T", "`a/b = p/q`", ()),
-    "gain": ("`v = gain vec q` for a quaternion of this size, size 1: `gain = phi/sin(alpha/2)`", "", ()),
-    "inside": ("factor that takes a vector of square x back to the edge; 1 within the chart", "", ()),
-    "direction": ("sign of the principal axis along v, from the length r of v and y, the product of v and v°", "", ()),
-    "natural": ("principal angle, d alpha/d r and sign of the axis, from x, y and the length r of v", "", ()),
-    "unfolded": ("angle of `v = r u` on its own branch", "", ()),
-    "reached": ("alpha reduced by whole turns to the range of the chart", "", ()),
-    "turned": ("coefficient rk of the vector rk u on another branch of r u, drk/dr and d²rk/dr²", "", ()),
-    "beyond": ("truth of x > limit, beyond the principal branch, x or the limit, and the turn back", "", ()),
-    "coefficient": ("`r = phi(alpha)`, phi', and the number by which alpha is known", "", ()),
-    "coefficient_of": (
-        "`r = phi(alpha)`, phi', the number by which alpha is known, by sine and cosine of alpha/2", "", (),
-    ),
-    "followed": ("factors of vec e and v in the vector on the branch nearest v, and fi, by e, for T^-1", "", ()),
-}
-"""Formulas by scalar program: for every chart, for order n, and the maps whose equations are cited.
-
-Each formula stands between marks, and `proof.shown` compares it before it is printed.
-"""
 
 TABLE = ("limit", "cos", "sin")  # names of the numbers in one row of the table of returns
 SQUARES = ("v11", "v22", "v33")
@@ -75,15 +30,29 @@ def _at_angle(chart: Chart, trace: Trace, x: Number, fe: Number, angle: Number) 
 
 @dataclass(frozen=True, slots=True)
 class Scalar:
-    """Function of a few numbers: parameters and results; ``truths`` names the results that are truth values.
+    """Function of a few numbers, with its formula in words: for every chart, and for order n.
 
-    ``compute`` returns a tuple of the results, or the chart's `Scalars`, which have them as attributes.
+    Each formula stands between marks, and `proof.shown` compares it before it is printed. ``compute`` returns a tuple
+    of the results, or the chart's `Scalars`, which have them as attributes.
     """
 
     arguments: tuple[str, ...]
     results: tuple[str, ...]
+    every: str
     compute: Callable[..., Any] = _at_x
-    truths: tuple[str, ...] = ()
+    of_order: str = ""
+    maps: tuple[str, ...] = ()  # maps whose equations are cited
+    truths: tuple[str, ...] = ()  # results that are truth values
+    slopes: str = ""  # program that returns slopes of its results
+    of_steps: bool = False  # True if rules of differentiation need it of the exponential
+    idle: Callable[..., tuple[Number, ...]] | None = None  # results for charts that never call it, where geometry does
+
+    def placeholder(self, name: str) -> Program:
+        if self.idle is None:
+            raise ValueError(f"geometry calls {name}, which the chart lacks")
+        trace = Trace()
+        arguments = [trace.inputs(argument, [argument])[0] for argument in self.arguments if argument != "table"]
+        return trace.program(name, self.idle(trace, *arguments))
 
 
 def _ray(chart: Chart, trace: Trace, x: Number) -> tuple[Number, ...]:
@@ -139,34 +108,101 @@ def _reached(chart: Chart, trace: Trace, angle: Number) -> tuple[Number]:
 
 E = ("e0", "e1", "e2", "e3")
 SCALARS: Mapping[str, Scalar] = {
-    "quaternion_scalars": Scalar(("x",), ("s", "w", "sy", "wy")),
-    "pose_scalars": Scalar(SQUARES, ("f", "g", "h")),
-    "tangent_scalars": Scalar(SQUARES, ("f", "g", "h", "fy", "gy", "hy")),
-    "tangent_dot_scalars": Scalar(SQUARES, ("f", "g", "h", "fy", "gy", "hy", "fyy", "gyy", "hyy")),
-    "rate_scalars": Scalar(("x",), ("rate",)),
-    "inverse_scalars": Scalar(("x", "fe"), ("fi", "hi"), lambda c, m, x, fe: c.back(x, fe, m)),
-    "inverse_at": Scalar(("x", "fe", "angle"), ("hi", "ai"), _at_angle),
-    "tangent_inv_at": Scalar(("x", "fe", "angle"), ("fi", "hi", "ai", "fiy", "hiy"), _at_angle),
-    "tangent_inv_scalars": Scalar(("x",), ("fi", "hi", "fiy", "hiy")),
-    "tangent_inv_dot_scalars": Scalar(("x",), ("fi", "hi", "fiy", "hiy", "fiyy", "hiyy")),
-    "ray": Scalar(("x",), ("a", "b", "size", "f", "g", "h"), _ray),
-    "gain": Scalar((*E, "size"), ("gain",), _gain),
-    "inside": Scalar(("x",), ("inside",), lambda c, m, x: (c.inside(x, m),)),
-    "direction": Scalar(("x", "y", "r"), ("sign",), lambda c, m, *at: (c.direction(*at, m),)),
-    "natural": Scalar(("x", "y", "r"), ("angle", "slope", "sign"), lambda c, m, *at: c.natural(*at, m)),
-    "unfolded": Scalar(("x", "r"), ("own",), lambda c, m, *at: (m.name("own", c.unfolded(*at, m)),)),
-    "reached": Scalar(("alpha",), ("within",), _reached),
-    "turned": Scalar(("r", "cos", "sin"), ("rk", "slope", "bend"), lambda c, m, r, *turn: c.turned(r, turn, m)),
-    "beyond": Scalar(("x", "table"), ("beyond", "place", "cosine", "sine"), _beyond, truths=("beyond",)),
-    "coefficient": Scalar(("alpha",), ("r", "slope", "known"), _coefficient),
-    "coefficient_of": Scalar(("alpha", "sine", "cosine"), ("r", "slope", "known"), _coefficient_of),
-    "followed": Scalar(("x", "along", *E, "size", "turn"), Followed._fields, _followed),
-}
+    "quaternion_scalars": Scalar(
+        ("x",), ("s", "w", "sy", "wy"), "unit quaternion `q = s + w v`; slopes `sy = 2 ds/dx`, `wy = 2 dw/dx`",
+        of_order="`s = p/(1 + x)^(n/2)`, `w = q/(1 + x)^(n/2)`", maps=("quaternion",),
+    ),
+    "pose_scalars": Scalar(
+        SQUARES, ("f", "g", "h"), "`R = I + f skew(v) + g skew(v)^2`, `T = f I + g skew(v) + h v(x)v`",
+        of_order="`f = 2 p q/(1 + x)^n`, `g = 2 q^2/(1 + x)^n`, `h = 2 c/(1 + x)^n`, `x c = n (1 + x)^(n - 1) - p q`",
+        maps=("tensor", "tangent"), slopes="tangent_scalars", of_steps=True,
+    ),
+    "tangent_scalars": Scalar(
+        SQUARES, ("f", "g", "h", "fy", "gy", "hy"), "f, g, h of T with slopes `fy = 2 df/dx`, gy, hy",
+        maps=("tangent",), slopes="tangent_dot_scalars", of_steps=True,
+    ),
+    "tangent_dot_scalars": Scalar(
+        SQUARES, ("f", "g", "h", "fy", "gy", "hy", "fyy", "gyy", "hyy"),
+        "f, g, h of T, slopes `fy = 2 df/dx`, gy, hy, second slopes `fyy = 2 dfy/dx`, gyy, hyy", of_steps=True,
+    ),
+    "rate_scalars": Scalar(
+        ("x",), ("rate",), "`T v = rate v`: `rate = 1/phi' = f + x h`", of_order="`rate = 2n/(1 + x)`", of_steps=True,
+        idle=lambda m, x: (1,),
+    ),
+    "inverse_scalars": Scalar(
+        ("x", "fe"), ("fi", "hi"), "`T^-1 = (fi I - skew(v) + hi v(x)v)/2`", lambda c, m, x, fe: c.back(x, fe, m),
+        "`fi = p/q`, `hi = d/(n q)`, `x d = (1 + x) q - n p`", ("tangent_inv",), slopes="tangent_inv_scalars",
+    ),
+    "inverse_at": Scalar(
+        ("x", "fe", "angle"), ("hi", "ai"), "hi of T^-1 at a known angle, and for ai `fi + x hi = 2 phi'`", _at_angle
+    ),
+    "tangent_inv_at": Scalar(
+        ("x", "fe", "angle"), ("fi", "hi", "ai", "fiy", "hiy"),
+        "fi, hi, ai of T^-1 at a known angle, with slopes `fiy = 2 dfi/dx`, hiy", _at_angle,
+    ),
+    "tangent_inv_scalars": Scalar(
+        ("x",), ("fi", "hi", "fiy", "hiy"), "fi, hi of T^-1 with slopes `fiy = 2 dfi/dx`, hiy", maps=("tangent_inv",),
+        slopes="tangent_inv_dot_scalars", of_steps=True,
+    ),
+    "tangent_inv_dot_scalars": Scalar(
+        ("x",), ("fi", "hi", "fiy", "hiy", "fiyy", "hiyy"),
+        "fi, hi of T^-1 with slopes fiy, hiy and second slopes fiyy, hiyy", slopes="tangent_inv_dot_scalars",
+        of_steps=True,
+    ),
+    "ray": Scalar(
+        ("x",), ("a", "b", "size", "f", "g", "h"),
+        "`a + b v = size q` for the unit quaternion q, size > 0, and f, g, h of R and T", _ray, "`a/b = p/q`",
+    ),
+    "gain": Scalar(
+        (*E, "size"), ("gain",), "`v = gain vec q` for a quaternion of this size, size 1: `gain = phi/sin(alpha/2)`",
+        _gain,
+    ),
+    "inside": Scalar(
+        ("x",), ("inside",), "factor that takes a vector of square x back to the edge; 1 within the chart",
+        lambda c, m, x: (c.inside(x, m),),
+    ),
+    "direction": Scalar(
+        ("x", "y", "r"), ("sign",),
+        "sign of the principal axis along v, from the length r of v and y, the product of v and v°",
+        lambda c, m, *at: (c.direction(*at, m),), idle=lambda m, *at: (1,),
+    ),
+    "natural": Scalar(
+        ("x", "y", "r"), ("angle", "slope", "sign"),
+        "principal angle, d alpha/d r and sign of the axis, from x, y and the length r of v",
+        lambda c, m, *at: c.natural(*at, m),
+    ),
+    "unfolded": Scalar(
+        ("x", "r"), ("own",), "angle of `v = r u` on its own branch",
+        lambda c, m, *at: (m.name("own", c.unfolded(*at, m)),),
+    ),
+    "reached": Scalar(("alpha",), ("within",), "alpha reduced by whole turns to the range of the chart", _reached),
+    "turned": Scalar(
+        ("r", "cos", "sin"), ("rk", "slope", "bend"),
+        "coefficient rk of the vector rk u on another branch of r u, drk/dr and d²rk/dr²",
+        lambda c, m, r, *turn: c.turned(r, turn, m), idle=lambda m, *at: (0, 0, 0),
+    ),
+    "beyond": Scalar(
+        ("x", "table"), ("beyond", "place", "cosine", "sine"),
+        "truth of x > limit, beyond the principal branch, x or the limit, and the turn back", _beyond,
+        truths=("beyond",), idle=lambda m, x: (0, m.name("place", 1 + x), 1, 0),  # the place is a number with a root
+    ),
+    "coefficient": Scalar(
+        ("alpha",), ("r", "slope", "known"), "`r = phi(alpha)`, phi', and the number by which alpha is known",
+        _coefficient,
+    ),
+    "coefficient_of": Scalar(
+        ("alpha", "sine", "cosine"), ("r", "slope", "known"),
+        "`r = phi(alpha)`, phi', the number by which alpha is known, by sine and cosine of alpha/2", _coefficient_of,
+    ),
+    "followed": Scalar(
+        ("x", "along", *E, "size", "turn"), Followed._fields,
+        "factors of vec e and v in the vector on the branch nearest v, and fi, by e, for T^-1", _followed,
+    ),
+}  # fmt: skip
 """Scalar programs by name; `Scalars.ray` defines a, b and size, and `Chart` defines turns and tables."""
 
 
 def table_names(chart: Chart) -> tuple[str, ...]:
-    """Return the names of the components of the table of returns."""
     return tuple(f"{column}{j}" for j in range(1, len(chart.returns()) + 1) for column in TABLE)
 
 

@@ -44,7 +44,6 @@ class Call:
 
     @property
     def groups(self) -> tuple[Operand | tuple[Operand, ...], ...]:
-        """Return the arguments: numbers, and lists of numbers."""
         if not self.result:
             return self.args
         left, found = list(self.args), []
@@ -105,12 +104,10 @@ class Program:
 
     @property
     def constants(self) -> tuple[int, ...]:
-        """Return the integers that are operands or results."""
         return tuple(sorted({int(operand) for operand in self.operands if not isinstance(operand, str)}))
 
     @property
     def operands(self) -> set[Operand]:
-        """Return all operands of statements, and the outputs."""
         read = {arg for statement in self.statements for arg in statement.args}
         return read | set(self.outputs)
 
@@ -152,7 +149,6 @@ class Value:
 
     @property
     def operands(self) -> list[Value]:
-        """Return the operands that are not constants."""
         return [arg for arg in self.args if isinstance(arg, Value)]
 
 

@@ -157,7 +157,6 @@ def _assigned(statement: Statement) -> tuple[str, ...]:
 
 
 def _moved(program: Program, shared: set[str]) -> list[Assignment]:
-    """Return the steps of shared names, with the inline steps inside them."""
     needed, found = set[Any](shared), []
     inline = {step.name for step in program.steps if step.inline}
     for step in reversed(program.steps):

@@ -2,39 +2,23 @@
 
 from __future__ import annotations
 
+import ast
 import importlib
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from importlib.util import find_spec
 
-import numpy as np
-
-from ..lowered import lower_chart
 from ..lowering.retraction import EXPONENTIAL
 from ..lowering.scalar_programs import SCALARS, SQUARES
+from ..lowering.slopes import slopes
 from ..package import Data, Facts
-from ..rows import Table
-from ..validation import Library, Machinery, runtime
-from ..validation.slopes import slopes
+from ..rows import RULE, Table
+from ..signatures import lower_chart
+from ..validation import Library
 from .python import PythonTarget, printed_scalars
 
 STRICT = "array_api_strict"
-TOWERS = {
-    "pose_scalars": "tangent_scalars",
-    "tangent_scalars": "tangent_dot_scalars",
-    "inverse_scalars": "tangent_inv_scalars",
-    "tangent_inv_scalars": "tangent_inv_dot_scalars",
-    "tangent_inv_dot_scalars": "tangent_inv_dot_scalars",
-}
-"""Scalar programs, and those that return slopes of their results; the last slopes have none."""
-
-STEP_SCALARS = (
-    "pose_scalars", "tangent_scalars", "tangent_dot_scalars", "rate_scalars", "tangent_inv_scalars",
-    "tangent_inv_dot_scalars",
-)  # fmt: skip
-"""Scalar programs of the exponential that the rules of differentiation need."""
-
 STORED = {"exponential_scalars": "stored", "followed": "stored", "displacement": "stored", "vector_of": "taken"}
 """Geometry programs with results, or arguments, that many steps read, as they do results of scalar programs."""
 
@@ -50,13 +34,11 @@ VALUE = re.compile(r"^    (\w+) = (\(\n(?:        .*\n)+    \)|(?!m\.where).*[*/
 READERS = 3
 """Number of steps that read a value, from which it is stored; an expression of several lines always is."""
 
-STANDARD = (np.dtype(np.float64), np.dtype(np.float32))
-
 
 def slopes_of_steps() -> Data:
     """Return the exponential's scalars and the names of slopes, for the rules of differentiation."""
     scalars = lower_chart(EXPONENTIAL).scalars
-    steps = printed_scalars(EXPONENTIAL, {name: scalars[name] for name in STEP_SCALARS})
+    steps = printed_scalars(EXPONENTIAL, {name: scalars[name] for name, row in SCALARS.items() if row.of_steps})
     return {**marked(steps, once), **rules_of_slopes()}
 
 
@@ -66,11 +48,17 @@ class ArrayApi(PythonTarget):
     name = "array-api"
     options = "axis: int = -1"
     files = (*PythonTarget.files, "_jax.py", "_libraries.py", "_rules.py", "_torch.py")
-    machinery = Machinery(out=False, silent=False)
-    checks = (*PythonTarget.checks, runtime.steps, slopes, runtime.rules)
 
     def shared(self) -> dict[str, Callable[[], Data]]:
         return super().shared() | {"_slopes.py": slopes_of_steps}
+
+    def require_complete(self, texts: Mapping[str, str]) -> None:
+        """Require, beside the functions of the table, a rule for each kernel that is said to have one, and no other."""
+        super().require_complete(texts)
+        for table in self.tables:
+            said = {name for name, row in table.kernels.items() if row.derivatives == RULE}
+            if wrong := sorted(said ^ rules_in(texts["_rules.py"])):
+                raise ValueError(f"_rules.py: its rules and the decisions of the table differ for {', '.join(wrong)}")
 
     def programs(self, facts: Facts) -> Data:
         return marked(super().programs(facts), once)
@@ -80,9 +68,16 @@ class ArrayApi(PythonTarget):
         return {**found, **marked({"programs": found["programs"]}, held), "stored": STORED}
 
     def libraries(self) -> Sequence[Library]:
-        """Return NumPy, and the strict reference of the standard if installed, with the standard's types."""
+        """Return NumPy, and the strict reference of the standard if installed."""
         names = ("numpy", *([STRICT] if find_spec(STRICT) else []))
-        return [Library(name, importlib.import_module(name).asarray, STANDARD) for name in names]
+        return [Library(name, importlib.import_module(name).asarray, silent=False) for name in names]
+
+
+def rules_in(text: str) -> set[str]:
+    """Return the kernels in the tables of rules, RULES and JACOBIANS, of a text."""
+    found = [node for node in ast.parse(text).body if isinstance(node, ast.AnnAssign)]
+    tables = (node.value for node in found if ast.unparse(node.target) in ("RULES", "JACOBIANS"))
+    return {ast.literal_eval(key) for table in tables if isinstance(table, ast.Dict) for key in table.keys if key}
 
 
 def held(forms: str) -> str:
@@ -106,7 +101,6 @@ def once(forms: str) -> str:
 
 
 def marked(printed: Data, mark: Callable[[str], str]) -> Data:
-    """Return lists of printed programs with marks in their text."""
     return {
         name: [replace(program, forms=mark(program.forms)) for program in programs]
         for name, programs in printed.items()
@@ -115,6 +109,7 @@ def marked(printed: Data, mark: Callable[[str], str]) -> Data:
 
 def rules_of_slopes() -> Data:
     """Return the names of results whose slopes other programs return, and the programs of three squares."""
-    results = {name: SCALARS[name].results for name in (*TOWERS, "tangent_dot_scalars")}
-    squares = tuple(name for name in TOWERS if SCALARS[name].arguments == SQUARES)
-    return {"results": results, "towers": TOWERS, "squares": squares}
+    towers = {name: row.slopes for name, row in SCALARS.items() if row.slopes}
+    results = {name: SCALARS[name].results for name in (*towers, "tangent_dot_scalars")}
+    squares = tuple(name for name in towers if SCALARS[name].arguments == SQUARES)
+    return {"results": results, "towers": towers, "squares": squares, "slopes": slopes()}

@@ -18,12 +18,11 @@ from typing import Any, NamedTuple
 from ... import about
 from ...maps.cayley import EQUATIONS
 from ...maps.chart import Chart
-from ..lowered import ChartPrograms, geometry, printed_geometry
 from ..lowering.scalar_programs import SCALARS, table_names
 from ..package import Data, Facts, Target, cited
-from ..programs.program import Assignment, Program
+from ..programs.program import Program
 from ..rows import Array, Function, Table, inside
-from ..signatures import POSES, ROTATIONS
+from ..signatures import POSES, ROTATIONS, ChartPrograms, geometry, printed_geometry
 from ..validation import c_text, compiled
 from ..validation.calls import require_calls
 from ..validation.float_cases import FloatCase, cases, composed
@@ -35,16 +34,6 @@ LEVELS = {"abs": 1, "sqrt": 1, "tan": 2, "atan2": 2, "expm1": 2, "log1p": 2}
 
 NAMES = {"R": "tensor", "T": "pose"}
 """Replacements of array names in capital letters, which may collide with macros of other libraries."""
-
-_SOME = (Assignment("place", "add", (1, "x"), False),)  # a number with a root
-IDLE: Mapping[str, Program] = {
-    name: Program(name, tuple((a, (a,)) for a in SCALARS[name].arguments if a != "table"), statements, outputs)
-    for name, statements, outputs in (
-        ("beyond", _SOME, (0, "place", 1, 0)), ("direction", (), (1,)),
-        ("turned", (), (0, 0, 0)), ("rate_scalars", (), (1,)),
-    )
-}
-"""Placeholders of scalar programs that geometry names but some charts never call."""
 
 GATE = 8  # largest error in a differential test, in machine epsilons times the scale of the result
 
@@ -100,9 +89,8 @@ def levels(chart: ChartPrograms) -> dict[str, int]:
 
 
 def scalars(chart: ChartPrograms) -> Mapping[str, Program]:
-    """Return the scalars of a chart, and placeholders for the others that geometry names."""
     named = {call.function for program in geometry(chart.table).values() for call in program.calls}
-    return {**chart.scalars, **{name: IDLE[name] for name in sorted(named - chart.scalars.keys())}}
+    return {**chart.scalars, **{name: SCALARS[name].placeholder(name) for name in sorted(named - chart.scalars.keys())}}
 
 
 def shared_geometry(table: Table) -> Data:
@@ -167,12 +155,10 @@ class C(Target):
         return {**own_geometry(facts, facts.lowered.poses, {}), **found, "order": facts.chart.order}
 
     def companions(self, facts: Facts) -> dict[str, tuple[str, Data]]:
-        """Return the header of the chart for rotations."""
         data = own_geometry(facts, facts.lowered.rotations, scalars(facts.lowered.poses))
         return {inside(ROTATIONS, f"{facts.chart.name}.h"): (inside(ROTATIONS, "chart.h"), data)}
 
     def tests(self, facts: Facts) -> dict[str, tuple[str, Data]]:
-        """Return one test of all headers of the chart."""
         chart = facts.chart
         tested = [(c_text.prefix(chart, table), [*differential_tables(chart, table)]) for table in self.tables]
         headers = [inside(table, f"{chart.name}.h") for table in self.tables]
@@ -228,5 +214,4 @@ def _results(arrays: Sequence[Array], found: Sequence[FloatCase]) -> Iterator[Va
 
 
 def _hexadecimal(values: Sequence[Any]) -> tuple[str, ...]:
-    """Return exact C literals, without trailing zeros."""
     return tuple(re.sub(r"\.?0*p", "p", float(value).hex()) for value in values)

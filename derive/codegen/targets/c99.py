@@ -106,7 +106,6 @@ def _lower_case(program: Program) -> Program:
 
 
 def _declared(values: Iterable[tuple[str, str]]) -> Iterator[str]:
-    """Yield the declaration of several numbers, wrapped into as few lines as possible."""
     texts = [f"{name} = {value}" for name, value in values]
     if texts:
         yield f"{_INDENT}{filled([f'const {REAL} {texts[0]}', *texts[1:]], 2 * _INDENT)};"
@@ -159,7 +158,6 @@ def _statements(
 
 
 def _call_program(call: Call, texts: Texts, arrays: Mapping[str, str], made: Sequence[str]) -> Iterator[str]:
-    """Yield the call of a geometry program; lists of numbers get their own arrays."""
     passed = []
     for index, text in enumerate(texts, 1):
         if isinstance(text, list):

@@ -150,7 +150,6 @@ class Lists:
 
 
 def unpacked(names: Sequence[str], value: str) -> str:
-    """Return an assignment that unpacks a value into names."""
     return f"{', '.join(names)}{',' * (len(names) == 1)} = {value}"
 
 
@@ -190,7 +189,6 @@ def renamed(program: Program, names: Mapping[str, str]) -> Program:
 
 
 def wrapped(words: Iterable[str], indent: str) -> list[str]:
-    """Return words as indented lines; no word is broken."""
     text = " ".join(word.replace(" ", "\0") for word in words)
     lines = textwrap.wrap(
         text, WIDTH, initial_indent=indent, subsequent_indent=indent, break_long_words=False, break_on_hyphens=False

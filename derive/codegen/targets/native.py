@@ -16,10 +16,10 @@ from pathlib import Path
 
 from ... import about
 from ...maps.chart import Chart
-from ..lowered import geometry
 from ..package import Data, Facts, fingerprint
 from ..programs.program import Program
 from ..rows import Function, Table, inside
+from ..signatures import geometry
 from ..validation import c_text, compiled
 from . import c99
 from .c import C
@@ -43,7 +43,6 @@ class LoopArray:
 
     @property
     def counts(self) -> str:
-        """Return the numbers of components along three axes."""
         return ", ".join(map(str, (*self.shape, 1, 1, 1)[:MOST_AXES]))
 
 
@@ -103,7 +102,6 @@ class Native(C):
         }
 
     def loops(self, table: Table) -> Data:
-        """Return the data of the loops around a table's kernels."""
         found = [loop(table.kernels[name], program) for name, program in geometry(table).items()]
         return {"loops": found, "up": "../" * bool(table.name)}
 

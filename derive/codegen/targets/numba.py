@@ -16,11 +16,11 @@ from pathlib import Path
 
 from ...maps.chart import Chart
 from ...output import RefusedError
-from ..lowered import geometry, printed_geometry, shared_with_poses
 from ..package import Data, Facts
 from ..programs.program import Call, Program
 from ..rows import Function, Table
-from ..validation import Library, runtime
+from ..signatures import geometry, printed_geometry, shared_with_poses
+from ..validation import Library
 from . import expression
 from .expression import WIDTH, Lists, items
 from .python import PythonFunction, PythonTarget, formula_of
@@ -88,7 +88,6 @@ def _call(program: Program, group: Sequence[int], indent: str, suffix: str) -> s
 
 
 def _called(programs: Sequence[PythonFunction]) -> list[str]:
-    """Return the functions of ``_compiled`` that the programs call."""
     text = "".join(program.forms for program in programs)
     names = ("atan2", "expm1", "log1p", "number", "reciprocal", "sqrt", "tan", "where")
     return [name for name in names if re.search(rf"\b{name}\(", text)]
@@ -100,7 +99,6 @@ class Numba(PythonTarget):
     name = "numba"
     options = "axis: int = -1, out: Array | None = None, parallel: bool = False"
     files = (*PythonTarget.files, "_compiled.py")
-    checks = (runtime.tools,)
 
     def shared(self) -> dict[str, Callable[[], Data]]:
         rows = [row for table in self.tables for _, row in sorted(table.public.items()) if row.constants]

@@ -5,14 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable
 from functools import partial
 
-from ..lowered import geometry, lower_chart
 from ..lowering.forward import LOCAL, PROGRAMS
 from ..lowering.point import traced
 from ..lowering.scalar_programs import SCALARS, powers_of_factor
 from ..package import Data, Facts, fingerprint
 from ..rows import Function
-from ..signatures import POSES
-from ..validation import Machinery, motions
+from ..signatures import POSES, geometry, lower_chart
 from .expression import items
 from .python import CLASSES, PythonTarget, printed_program, printed_scalars
 
@@ -31,8 +29,6 @@ class Numpy(PythonTarget):
     )  # fmt: skip
     tools = ("dask", "interop")
     imports_bases = True
-    checks = (*PythonTarget.checks, *motions.CHECKS)
-    machinery = Machinery(few="_runtime.POINTWISE_MAX", block="_kernel.BLOCK")
 
     def shared(self) -> dict[str, Callable[[], Data]]:
         tables = {

@@ -16,14 +16,13 @@ from ...maps.chart import Chart
 from ...maps.chart_formulas import DEFINITIONS
 from ...maps.named import NUMBERED, SINGLE
 from ...proof import shown
-from ..lowered import printed_geometry, shared_with_poses
-from ..lowering.scalar_programs import FORMULAS
+from ..lowering.scalar_programs import SCALARS
 from ..package import Data, Facts, Target, cited, comment
 from ..programs.program import Program
 from ..programs.shared import with_helpers
 from ..rows import Function, Table, inside
-from ..signatures import JACOBIAN, POSES, ROTATIONS, SIDES
-from ..validation import NUMPY, Library, Machinery, replay, runtime, validate
+from ..signatures import JACOBIAN, POSES, ROTATIONS, SIDES, printed_geometry, shared_with_poses
+from ..validation import NUMPY, Library, replay, validate
 from ..validation.calls import require_calls
 from . import expression
 
@@ -47,9 +46,6 @@ class PythonTarget(Target):
     extension = "py"
     entry = "__init__.py"
     comment = "#"
-    machinery = Machinery()
-    checks: Sequence[runtime.Check] = (runtime.tools, runtime.laws)
-    """Checks of run-time parts that are written by hand, on floats or, without a replay, on numbers of 50 digits."""
     files: tuple[str, ...] = ("_branches.py", "_chart.py", "_checks.py", "_runtime.py", "_tools.py")
     """Files whose templates take no data."""
     tools: tuple[str, ...] = ()
@@ -143,9 +139,7 @@ class PythonTarget(Target):
         return validate(folder, chart, geometry, self.tables)
 
     def replay(self, folder: Path, chart: Chart, geometry: bool) -> int:
-        libraries = self.libraries()
-        count = replay(folder, chart, self.machinery, libraries, self.tables, geometry=geometry)
-        return count + (runtime.check(folder, chart, self.checks, exact=not libraries) if geometry else 0)
+        return replay(folder, chart, self.libraries(), self.tables, geometry=geometry)
 
     def libraries(self) -> Sequence[Library]:
         return (NUMPY,)
@@ -212,9 +206,14 @@ def _printed(program: Program, formula: str) -> PythonFunction:
     return PythonFunction(program.name, parameters, body, formula)
 
 
+def formulas_of(scalar: str, chart: Chart) -> list[str]:
+    """Return the formulas of a scalar program: for every chart, and for order n."""
+    row = SCALARS[scalar]
+    return [shown(row.every), *([shown(row.of_order, chart.cayley)] if row.of_order and chart.cayley else [])]
+
+
 def formula_of(scalar: str, chart: Chart) -> str:
-    """Return the formula of a scalar program as a comment: for every chart, for order n, and equation numbers."""
-    general, of_order, maps = FORMULAS[scalar]
-    texts = [shown(general), *([shown(of_order, chart.cayley)] if of_order and chart.cayley else [])]
-    equations = dict.fromkeys(number for name in maps for number in getattr(chart, name).equations)
+    """Return the formula of a scalar program as a comment, with equation numbers."""
+    texts = formulas_of(scalar, chart)
+    equations = dict.fromkeys(number for name in SCALARS[scalar].maps for number in getattr(chart, name).equations)
     return comment([*texts[:-1], texts[-1] + (f"; CP23 {cited(equations)}" if equations else "")], "#")

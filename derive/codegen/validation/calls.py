@@ -18,7 +18,7 @@ import mpmath
 
 from ...algebra import Tensor
 from ...algebra.pose import Screw, pose_from_tensor, quaternion_from_screw, tensor_from_screw
-from ..rows import Function, Table
+from ..rows import BY_TEXT, RULE, Function, Table
 from ..signatures import JACOBIAN, POSES
 from .decimals import EXACT_DIGITS
 from .expected_values import ALGEBRAIC, arguments_of, rows_of_pose
@@ -70,11 +70,13 @@ def kind_of(row: Function) -> str:
 
 
 def require_calls(table: Table) -> None:
-    """Raise ValueError unless every public function has an expected value, and arguments of a kind that is drawn."""
+    """Raise ValueError for a function without expected value, arguments that are drawn, or decision on derivatives."""
     rows, known, kinds = table.public.items(), {*ALGEBRAIC, *MAPS}, set(Kind)
     require("an expected value", table.public, (name for name, row in rows if row.source in known))
     drawn = (name for name, row in rows if row.source in ALGEBRAIC or kind_of(row) in kinds)
     require("arguments that are drawn", table.public, drawn)
+    decided = (name for name, row in table.kernels.items() if row.derivatives.startswith((RULE, BY_TEXT)))
+    require("a decision on derivatives", table.kernels, decided)
 
 
 def require(what: str, names: Iterable[str], found: Iterable[str]) -> None:

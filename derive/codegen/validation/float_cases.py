@@ -19,9 +19,8 @@ import mpmath
 from ...algebra import Vector
 from ...algebra.pose import polar
 from ...maps.chart import Chart
-from ..lowered import geometry
 from ..rows import Table
-from ..signatures import POSES
+from ..signatures import POSES, geometry
 from .calls import Case, Drawn, Kind, algebraic, at_screw, of_composed, require, restricted, selecting
 from .decimals import EXACT_DIGITS
 from .inverse_maps import value

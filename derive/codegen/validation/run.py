@@ -13,9 +13,8 @@ import mpmath
 import numpy as np
 
 from ...maps.chart import Chart
-from ..lowered import geometry, lower_chart
 from ..rows import Table
-from ..signatures import POSES
+from ..signatures import POSES, geometry, lower_chart
 from .batches import Batch, ValidationFailed, batches, compare
 from .decimals import EXACT_DIGITS
 from .loading import loaded, module_of

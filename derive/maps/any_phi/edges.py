@@ -55,7 +55,7 @@ class Edge:
     angle: sympy.Expr
     kind: str
     order: sympy.Rational = field(default=sympy.S.One, compare=False)
-    """Order of the pole, 0 for a logarithm, or of the zero of φ′."""
+    """Order of the pole (0 for a logarithm), or of the zero of φ′ at a fold."""
     flat: tuple[Any, ...] = field(default=(), compare=False)
     """Angles below the edge at and beside the least minima of φ′, the least one first."""
 

@@ -20,7 +20,7 @@ import sympy
 from sympy.functions.elementary.trigonometric import TrigonometricFunction
 from sympy.polys.polyerrors import CoercionFailed
 
-from ...algebra.cayley_pairs import require_order
+from ...algebra.arithmetic import require_order
 from ...claims.language.grammar import source
 from .. import grammar
 from ..elementary import Quotient, alpha, mirror

@@ -25,9 +25,8 @@ from ..angle import Angle
 from ..elementary import Quotient, alpha, elementary
 from ..exponential import AngleChart
 from ..grammar import SYMBOLIC_ONLY, PhiError
-from ..noise import NOISE
 from ..order_charts import Derivatives, half_angle
-from ..real_constants import plus
+from ..real_constants import NOISE, plus
 from ..scalars import DependentScalars, scalar
 from .edges import PHI_DIGITS, Edge, edge_of
 from .first_guess import guess
@@ -47,7 +46,6 @@ class GeneralScalars(DependentScalars):
         self.is_near = m.name("nearby", m.less(limit.denominator * x, limit.numerator))
 
     def _select(self, near: Coefficient, far: Coefficient) -> Coefficient:
-        """Return `near` below the limit of x, and `far` beyond."""
         return self.m.where(self.is_near, near, far)
 
     # --- below the limit ----------------------------------------------------------------------------------------
@@ -179,7 +177,6 @@ class General(AngleChart):
 
     @property
     def _first(self) -> Any:
-        """Angle at the limit of x."""
         return self.inverse(mpmath.sqrt(float(self.near.limit)))
 
     @cached_property

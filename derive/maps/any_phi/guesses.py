@@ -19,8 +19,7 @@ from ...algebra import Coefficient
 from ...algebra.arithmetic import PLAIN, Arithmetic
 from ..angle import real_value
 from ..elementary import alpha, elementary
-from ..noise import NOISE
-from ..real_constants import Polynomial, plus, times
+from ..real_constants import NOISE, Polynomial, plus, times
 from .intervals import Intervals
 from .phi_values import PhiValues
 
@@ -47,7 +46,6 @@ class Guess(ABC):
 
     @property
     def to_edge(self) -> bool:
-        """Tell whether φ′ is 0 or infinite at the edge."""
         return bool(mpmath.isinf(self.size))
 
     @abstractmethod
@@ -161,7 +159,6 @@ class Fitted(Guess):
         return {}
 
     def _place(self, angle: Any) -> tuple[Any, Any]:
-        """Return the length and the variable at an angle."""
         if angle not in self._places:
             r = real_value(self.phi, angle, self.phi)
             self._places[angle] = r, self.variable.of(r * r, r, PLAIN)

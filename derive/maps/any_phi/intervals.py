@@ -167,7 +167,6 @@ class Intervals:
         return flint.acb(re, im)
 
     def interval(self, low: Any, high: Any) -> Any:
-        """Return the interval between two mpmath numbers."""
         return flint.arb(low).union(flint.arb(high))
 
     def bounds(self, value: Any) -> tuple[Any, Any]:
@@ -254,7 +253,6 @@ INTERVALS = Intervals()
 
 @contextmanager
 def precise() -> Iterator[Intervals]:
-    """Work in the precision of enclosures."""
     before, flint.ctx.prec = flint.ctx.prec, BITS
     try:
         with mpmath.workprec(BITS + 32):

@@ -142,13 +142,11 @@ def _error_bound(bound: Any, rho: Any, degree: int) -> Any:
 
 
 def chebyshev_points(low: Any, high: Any, count: int) -> list[Any]:
-    """Return the Chebyshev points of an interval."""
     half = mpmath.mpf(1) / 2
     return [low + (high - low) * (1 + mpmath.cospi((k + half) / count)) / 2 for k in range(count)]
 
 
 def interpolated(nodes: Sequence[Any], values: Sequence[Any]) -> list[Any]:
-    """Return the coefficients of the polynomial with given values at nodes."""
     powers = mpmath.matrix([[t**k for k in range(len(nodes))] for t in nodes])
     return list(mpmath.lu_solve(powers, mpmath.matrix(values)))
 
@@ -208,7 +206,6 @@ def _arcs(at: Intervals, radius: Any) -> Iterator[Any]:
 
 
 def _squares(at: Intervals, radius: Any, parts: int) -> Iterator[Any]:
-    """Yield squares that cover a quarter of the disc."""
     sides = [at.interval(radius * i / parts, radius * (i + 1) / parts) for i in range(parts)]
     for i, j in itertools.product(range(parts), repeat=2):
         if i * i + j * j < parts * parts:

@@ -14,8 +14,7 @@ import mpmath
 import sympy
 
 from ...algebra import Coefficient
-from ...algebra.arithmetic import Arithmetic
-from ...algebra.cayley_pairs import Pair
+from ...algebra.arithmetic import Arithmetic, Pair
 from ..elementary import alpha, elementary
 from ..order_charts import double_angle
 from ..real_constants import is_small, number, plus, times
@@ -38,7 +37,6 @@ class PhiValues:
         self._known: dict[Any, Coefficient] = {alpha: angle}
 
     def at(self, expression: sympy.Expr) -> Coefficient:
-        """Return the value of an expression."""
         if alpha not in expression.free_symbols:
             found = number(expression)
             if is_small(found):
@@ -77,7 +75,6 @@ class PhiValues:
         return FUNCTIONS[e.func](self, e.args[0])
 
     def _constant(self, value: Any) -> Coefficient:
-        """Return a constant, such as π, in the type of the angle."""
         angle = self._known[alpha]
         return times(value, angle - angle + 1, self.m, "", LEVELS)
 

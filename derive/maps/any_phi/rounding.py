@@ -76,6 +76,5 @@ def noise(at: Intervals, e: sympy.Expr, where: Any) -> Any:
 
 @lru_cache(maxsize=256)
 def _change(e: sympy.Expr) -> sympy.Expr:
-    """Return the derivative of a function or power by its argument or base."""
     u = sympy.Dummy("u")
     return e.func(u, *e.args[1:]).diff(u).subs(u, e.args[0])

@@ -187,7 +187,12 @@ RULES: Mapping[str, Rule] = {
 }
 """Rules by kernel."""
 
-JACOBIANS = {f"{name}_jacobians": name for name in ("compose", "between", "retract", "body_retract")}
+JACOBIANS: Mapping[str, str] = {
+    "compose_jacobians": "compose",
+    "between_jacobians": "between",
+    "retract_jacobians": "retract",
+    "body_retract_jacobians": "body_retract",
+}
 """Kernels of which two derivatives of another kernel are the result."""
 
 

@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 
 from derive.algebra import Dual, Isotropic, Quaternion, Tensor, Vector, ZeroDivisorError
 from derive.algebra.functions import sqrt
-from derive.algebra.mixed import MeaninglessError, add, multiply, quaternion
+from derive.algebra.structures import MeaninglessError, add, multiply, quaternion
 from derive.proof import Ring
 
 fractions = st.fractions(min_value=-5, max_value=5, max_denominator=4)

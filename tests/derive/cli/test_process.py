@@ -47,7 +47,7 @@ def test_output_is_utf8_in_any_locale(encoding: str):
 def test_folder_name_that_is_not_utf8_is_printed_unchanged():
     name = os.fsdecode(b"k\xff")
     code = (
-        "import os, sys, derive.codegen.publish as module\n"
+        "import os, sys, derive.codegen.build as module\n"
         "from derive.codegen import Difference\n"
         "module.check_charts = lambda folder, *_, **__: [Difference(folder, 'missing')]\n"
         "from derive.__main__ import main\n"

@@ -15,33 +15,6 @@ from derive.codegen import catalogue
 from derive.codegen.targets import TARGETS
 from tests.support.command import ROOT, dualcay
 
-FILES = ("_native", "_tools", "_chart", "__main__", "_mine")
-WITHIN = ("convert", "matrix6", "backend", "importlib", "sorted", "compiled", "geometry", "tiles")
-IN_CAPITALS = ("Convert", "BACKEND", "Geometry")
-DEVICES = ("con", "NUL", "aux", "com0", "Lpt9")
-CHARTS = ("cayley7", "Sine7", "sine7", "scaled7", "reduced_euler_rodrigues")
-
-
-@pytest.mark.parametrize(
-    ("name", "reason"),
-    [
-        *((name, "with a leading underscore") for name in FILES),
-        *((name, "is reserved in packages of kernels") for name in WITHIN + IN_CAPITALS),
-        *((name, "is the name of a device on Windows") for name in DEVICES),
-        ("Cayley2", "is the name of a committed module"),
-        ("a" * 300, "a name has at most 100 letters, got 300"),
-        *((name, "would hide that of C") for name in ("math", "Time", "Python")),
-        *((name, "the folder of rotations") for name in ("rotation", "Rotation_mine")),
-        *((name, "is the name of the chart of phi = ") for name in CHARTS),
-    ],
-)
-def test_reserved_names_are_refused(tmp_path: Path, name: str, reason: str) -> None:
-    done = dualcay("generate", "--name", name, "--phi", "sin(alpha/3)", "-o", str(tmp_path / "kernels"))
-    assert done.returncode == 2
-    assert "--name" in done.stderr
-    assert reason in done.stderr
-    assert not (tmp_path / "kernels").exists()
-
 
 @pytest.mark.parametrize("target", TARGETS)
 def test_names_of_shared_files_are_reserved(target: str) -> None:
@@ -72,12 +45,6 @@ def test_library_refuses_reserved_names(tmp_path: Path) -> None:
         generate(phi="alpha/2", name="_native", output=tmp_path)
 
 
-def test_slope_of_0_is_refused(tmp_path: Path) -> None:
-    done = dualcay("generate", "--phi", "0*alpha", "--name", "mine", "-o", str(tmp_path / "kernels"))
-    assert done.returncode == 2
-    assert "phi'(0) = 0.0, and has to be positive" in done.stderr
-
-
 def test_repeated_name_is_shown_once() -> None:
     once, twice = (dualcay("show", "-n", "3", "--what", what).stdout for what in ("q,p", "q,p,q"))
     assert twice == once
@@ -97,33 +64,6 @@ def test_progress_of_a_check_counts_the_modules_in_the_folder(tmp_path: Path, mo
     monkeypatch.setattr(display, "progress", counted)
     assert dualcay("generate", "-n", "2", "-o", str(tmp_path), "--check").returncode == 1  # cayley2 is missing
     assert totals == [len(steps)] == [4]  # two modules, and two steps for each
-
-
-# --- phi --------------------------------------------------------------------------------------------------------------
-
-
-@pytest.mark.parametrize(
-    ("arguments", "reason"),
-    [
-        (("--phi", "alpha/2"), "--phi and --name belong together"),
-        (("--name", "mine"), "--phi and --name belong together"),
-        (("--phi", "alpha + 1", "--name", "mine"), "not odd by its structure"),
-        (("--phi", "__import__('os').system('true')", "--name", "mine"), "not understood in phi"),
-        (("--phi", "n*alpha", "--name", "mine"), "give its value, by -n or as order="),
-        (("--phi", "n*alpha", "--name", "mine", "-n", "2,3"), "n in phi has one value"),
-        (("--phi", "alpha#c", "--name", "mine"), "not understood in phi: '#'"),
-        (("--phi", "alpha\n", "--name", "mine"), "not understood in phi"),
-        (("--phi", "alpha/2", "--name", "lambert"), "is the name of a committed module"),
-        (("--phi", "alpha/2", "--name", "not a name"), "an identifier"),
-        (("--phi", "alpha*tan(pi/2 - 1 - alpha**2)", "--name", "mine"), "poses that turn further, up to pi, have no v"),
-    ],
-)
-def test_refusals(tmp_path: Path, arguments: tuple[str, ...], reason: str):
-    done = dualcay("generate", *arguments, "-o", str(tmp_path / "kernels"))
-    assert done.returncode == 2
-    assert reason in done.stderr
-    assert "Traceback" not in done.stderr
-    assert not (tmp_path / "kernels").exists()
 
 
 def test_a_phi_that_is_a_sine_is_written_and_checked(tmp_path: Path):

@@ -40,29 +40,6 @@ def test_json_with_the_proofs_of_the_orders_asked_for() -> None:
     assert {p["status"] for p in data["proofs"]} == {"proved"}
 
 
-@pytest.mark.parametrize(
-    ("arguments", "code", "message"),
-    [
-        ((*K10, "--eq", "99"), 2, "no equation '99' (nearest: 9, 19, "),
-        ((*K10, "--eq", "22,zero-component"), 2, "no equation 'zero-component' (nearest: zero-components, "),
-        ((*K10, "--eq", "22", "-o", ""), 2, "expected a name, got an empty one"),
-        (("verify", "--paper", "euler-1776"), 2, "'karakilic-2010'"),
-        (("verify", "--format", "pdf"), 2, "'markdown'"),
-        (("verify", "-n", "0"), 2, "an order is an integer n >= 1"),
-        (("verify", "-n", "65"), 2, "above the cap 64"),
-        (("verify", "--check"), 2, "--check needs the file that -o names"),
-        (("verify", "--data"), 2, "--data needs the file that -o names"),
-        ((*K10, "--eq", "22", "-o", "/proc/nothing/errata.md"), 3, "cannot write"),
-    ],
-)
-def test_exit_codes_and_messages(arguments: tuple[str, ...], code: int, message: str) -> None:
-    done = dualcay(*arguments)
-    assert done.returncode == code
-    assert message in " ".join(done.stderr.split())
-    assert done.stdout == ""
-    assert done.stderr.count("\n") <= 4  # at most four lines: usage, hint at help, empty line, message
-
-
 def test_files_are_written_checked_and_reported_stale(tmp_path: Path) -> None:
     page = tmp_path / "out" / "errata.md"
     write = (*K10, "--eq", "14,22", "--format", "markdown", "-o", str(page), "--data")

@@ -10,12 +10,11 @@ from click.testing import CliRunner
 
 from derive.cli.commands import cli
 from derive.codegen import ValidationFailed, check_charts, generate
-from derive.codegen.lowered import geometry, lower_chart
 from derive.codegen.lowering.scalar_programs import SCALARS
 from derive.codegen.package import notices
 from derive.codegen.programs.trace import Trace
 from derive.codegen.rows import inside
-from derive.codegen.signatures import KERNELS, POSES, ROTATIONS
+from derive.codegen.signatures import KERNELS, POSES, ROTATIONS, geometry, lower_chart
 from derive.codegen.targets import TARGETS, c, c99
 from derive.codegen.validation import compiled
 from derive.codegen.validation.float_cases import cases
@@ -303,16 +302,10 @@ def test_every_branch_of_every_function_has_cases(table):
 
 def test_without_compiler_no_compiled_calls_are_reported(monkeypatch, tmp_path):
     monkeypatch.setenv("CC", "no-such-compiler")
-    monkeypatch.setattr("derive.codegen.publish.TARGETS", {"c": Otherwise(unvalidated(C), test=C.test)})
+    monkeypatch.setattr("derive.codegen.build.TARGETS", {"c": Otherwise(unvalidated(C), test=C.test)})
     monkeypatch.setattr("derive.cli.charts.cores", lambda: 1)
     result = CliRunner().invoke(cli, ["generate", "-n", "2", "--target", "c", "-o", str(tmp_path)])
     assert result.exit_code == 0
     assert re.search(r"cayley2\.h\W+\d+\W+\d+\W+0\W+-\W+-\s", result.stdout)
     assert "no C compiler found (set CC), so validated as text only" in result.stderr
     assert "cayley2.h" in result.stderr
-
-
-def test_command_requires_a_folder():
-    result = CliRunner().invoke(cli, ["generate", "-n", "2", "--target", "c"])
-    assert result.exit_code == 2
-    assert "-o" in result.stderr

@@ -11,9 +11,8 @@ from typing import Any
 import mpmath
 import pytest
 
-from derive.codegen.lowered import ChartPrograms, geometry, lower_chart
 from derive.codegen.programs.program import Call, Program
-from derive.codegen.signatures import POSES
+from derive.codegen.signatures import POSES, ChartPrograms, geometry, lower_chart
 from derive.codegen.validation import decimals, samples
 from derive.codegen.validation.calls import Case, grouped
 from derive.codegen.validation.decimals import Decimal

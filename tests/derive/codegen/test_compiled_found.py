@@ -10,9 +10,9 @@ from types import ModuleType, SimpleNamespace
 import pytest
 
 from derive.codegen import package
-from derive.codegen.lowered import geometry, lower
 from derive.codegen.package import Facts, fingerprint, shared_texts
 from derive.codegen.programs.program import Call, Program
+from derive.codegen.signatures import geometry, lower
 from derive.codegen.targets import TARGETS
 from derive.maps import Cayley
 from derive.proof import prove

@@ -15,8 +15,7 @@ import dualcay
 from derive.codegen import ValidationFailed
 from derive.codegen.build import print_package
 from derive.codegen.catalogue import committed
-from derive.codegen.lowered import geometry, lower_chart
-from derive.codegen.signatures import FUNCTIONS, POSES, ROTATIONS
+from derive.codegen.signatures import FUNCTIONS, POSES, ROTATIONS, geometry, lower_chart
 from derive.codegen.targets import TARGETS
 from derive.codegen.validation import own_functions, run
 from derive.codegen.validation.batches import batches

@@ -15,7 +15,7 @@ import derive
 from derive.algebra import Dual, Vector
 from derive.algebra.arithmetic import PLAIN
 from derive.algebra.pose import Screw
-from derive.codegen import catalogue, generate, publish
+from derive.codegen import build, catalogue, generate
 from derive.codegen.build import print_package
 from derive.codegen.catalogue import chart_of, charts, command
 from derive.codegen.package import _multiple_of_pi
@@ -268,7 +268,7 @@ def test_all_levels_are_split_at_any_working_precision() -> None:
 
 def test_default_charts_are_the_committed_ones(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     asked: list[object] = []
-    monkeypatch.setattr(publish, "generate_charts", lambda charts, *others, **options: asked.extend(charts))
+    monkeypatch.setattr(build, "generate_charts", lambda charts, *others, **options: asked.extend(charts))
     derive.generate(output=tmp_path)
     assert asked == catalogue.committed()
 

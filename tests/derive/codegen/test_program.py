@@ -7,9 +7,8 @@ from fractions import Fraction
 import pytest
 
 from derive.algebra import Vector
-from derive.codegen.lowered import lower_chart, printed_geometry
 from derive.codegen.programs.trace import Trace
-from derive.codegen.signatures import ROTATIONS
+from derive.codegen.signatures import ROTATIONS, lower_chart, printed_geometry
 from derive.codegen.targets import expression
 from derive.maps import Cayley, family, parameterization
 

@@ -17,9 +17,10 @@ from derive.codegen.signatures import POSES, ROTATIONS
 from derive.codegen.targets import TARGETS
 from derive.codegen.validation import NUMPY, replay
 from derive.codegen.validation.float_cases import cases
-from derive.codegen.validation.replay import Caller, Group
+from derive.codegen.validation.replay import FEW, MANY, Caller, Group
 from derive.maps import Cayley
 from derive.output import files
+from dualcay._runtime import POINTWISE_MAX
 from tests.support.packages import unvalidated
 
 CHART = Cayley(3)
@@ -57,9 +58,9 @@ def test_replay_calls_every_function_of_a_first_chart_and_fewer_of_others(
 ) -> None:
     files.write(tmp_path, texts)
     whole, own = (TARGET.replay(tmp_path, CHART, geometry=geometry) for geometry in (True, False))
-    assert 1000 < whole < 2500
+    assert 700 < whole < 1500
     assert 100 < own < whole / 2
-    assert replay(tmp_path, CHART, TARGET.machinery, [NUMPY], [ROTATIONS], geometry=True) < whole
+    assert replay(tmp_path, CHART, [NUMPY], [ROTATIONS], geometry=True) < whole
 
 
 @pytest.mark.thorough
@@ -71,19 +72,22 @@ def test_scales_are_at_least_the_norms_of_results(table) -> None:
         assert np.isfinite(case.scales).all()
 
 
+def test_batches_run_in_both_ways_of_numpy() -> None:
+    assert FEW <= POINTWISE_MAX < MANY
+
+
 @pytest.mark.parametrize(("share", "agrees"), [(0.9, True), (1.1, False), (np.nan, False)])
-@pytest.mark.parametrize("dtype", NUMPY.dtypes, ids=str)
-def test_an_ill_conditioned_result_may_lose_sixteen_roundings_of_its_scale(dtype, share: float, agrees: bool) -> None:
+def test_an_ill_conditioned_result_may_lose_sixteen_roundings_of_its_scale(share: float, agrees: bool) -> None:
     """Replace a function by one whose last component is off; half of the digits are lost already."""
-    scale = float(np.finfo(dtype).eps ** -0.5)
+    scale = float(np.finfo(float).eps ** -0.5)
     case: Any = SimpleNamespace(arguments=((0.5,) * 6,), result=(1.0,) * 6, scales=(1.0, scale))
-    error = share * 16 * float(np.finfo(dtype).eps) * scale
+    error = share * 16 * float(np.finfo(float).eps) * scale
     off = np.array([0, 0, 0, 0, 0, error])
-    module: Any = SimpleNamespace(__name__="made", principal=lambda v, axis: (v + 0.5 + off).astype(dtype))
-    check = Caller(module, NUMPY, out=True, few=20).check
+    module: Any = SimpleNamespace(__name__="made", principal=lambda v, axis: v + 0.5 + off)
+    check = Caller(module, NUMPY).check
     group = Group(POSES.public["principal"], (), (case,))
     if agrees:
-        check(group, np.array([0]), dtype)
+        check(group, np.array([0]))
     else:
         with pytest.raises(ValidationFailed, match=r"made\.principal.*component 5 is"):
-            check(group, np.array([0]), dtype)
+            check(group, np.array([0]))

@@ -16,9 +16,9 @@ import derive
 from derive import about
 from derive.codegen import ValidationFailed, check_charts, signatures
 from derive.codegen import build as road
-from derive.codegen.package import notices
+from derive.codegen.package import notices, shared_texts
 from derive.codegen.rows import Function
-from derive.codegen.signatures import POSES, PUBLIC, ROTATIONS
+from derive.codegen.signatures import POSES, PUBLIC, ROTATIONS, geometry
 from derive.codegen.targets import TARGETS, python
 from derive.codegen.validation import float_cases, samples, validate
 from derive.codegen.validation.batches import batches
@@ -112,6 +112,24 @@ def test_function_whose_arguments_are_not_drawn_is_not_generated(target, monkeyp
     monkeypatch.setitem(signatures.PUBLIC, "between", dataclasses.replace(PUBLIC["between"], arguments=(v1, v2)))
     with pytest.raises(ValueError, match=r"functions without arguments that are drawn cannot be generated: between$"):
         TARGETS[target].require_complete({})
+
+
+def test_function_without_a_decision_on_derivatives_is_not_generated(monkeypatch: pytest.MonkeyPatch):
+    texts = shared_texts(TARGETS["array-api"])
+    for decision, message in (
+        ("by text", "functions without a decision on derivatives cannot be generated: compose$"),
+        (signatures.SMOOTH, "_rules.py: its rules and the decisions of the table differ for compose$"),
+    ):
+        monkeypatch.setitem(POSES.kernels, "compose", dataclasses.replace(PUBLIC["compose"], derivatives=decision))
+        with pytest.raises(ValueError, match=message):
+            TARGETS["array-api"].require_complete(texts)
+
+
+@pytest.mark.parametrize("table", [POSES, ROTATIONS], ids=["poses", "rotations"])
+def test_functions_without_loss_by_text_have_no_roots_or_choices(table):
+    smooth = {name for name, row in table.kernels.items() if row.derivatives == signatures.SMOOTH}
+    operations = {step.op for name in smooth for step in geometry(table)[name].steps}
+    assert operations == {"add", "sub", "mul", "div", "neg"}
 
 
 @pytest.mark.parametrize(("kind", "names", "of_rotations"), [

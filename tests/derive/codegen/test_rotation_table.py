@@ -6,15 +6,14 @@ from pathlib import Path
 
 import pytest
 
-from derive.codegen import ValidationFailed, catalogue
+from derive.codegen import ValidationFailed
 from derive.codegen.build import print_package
-from derive.codegen.lowered import geometry
 from derive.codegen.lowering.point import narrowed
 from derive.codegen.lowering.scalar_programs import SQUARES
 from derive.codegen.programs.program import Call
-from derive.codegen.signatures import POSES, ROTATIONS
+from derive.codegen.signatures import POSES, ROTATIONS, geometry
 from derive.codegen.targets import TARGETS
-from derive.codegen.validation import NUMPY, Machinery, replay, validate
+from derive.codegen.validation import NUMPY, replay, validate
 from derive.maps import Cayley
 from derive.output import files
 
@@ -90,10 +89,4 @@ def test_wrong_wiring_of_rotations_fails_replay(texts, tmp_path: Path) -> None:
     assert wrong != texts[INTERFACE]
     files.write(tmp_path, {**texts, INTERFACE: wrong})
     with pytest.raises(ValidationFailed, match="to_angle_axis"):
-        replay(tmp_path, Cayley(1), Machinery(few="_runtime.POINTWISE_MAX"), (NUMPY,), (ROTATIONS,), geometry=True)
-
-
-@pytest.mark.parametrize("name", ["rotation", "rotation_mine"])
-def test_name_of_the_folder_of_rotations_is_reserved(name: str) -> None:
-    with pytest.raises(ValueError, match=f"'{name}' is the name of the folder of rotations"):
-        catalogue.charts(phi="alpha", name=name)
+        replay(tmp_path, Cayley(1), (NUMPY,), (ROTATIONS,), geometry=True)

@@ -5,9 +5,9 @@ from __future__ import annotations
 import pytest
 
 from derive.codegen import catalogue
-from derive.codegen.lowered import lower_chart
 from derive.codegen.programs.program import Call, Program
 from derive.codegen.programs.shared import with_helpers
+from derive.codegen.signatures import lower_chart
 from derive.maps import parameterization
 
 OWN = parameterization("2*sinh(alpha/2)", "own")
@@ -39,10 +39,3 @@ def test_callers_of_helpers_compute_the_same_values_and_no_others(name: str) -> 
     known: dict[object, int] = {}
     for key, program in programs.items():
         assert computed(callers[key], helpers, known) == computed(program, {}, known)
-
-
-def test_small_angle_series_of_the_exponential_is_printed_in_few_programs_and_helpers_are_named_by_results() -> None:
-    helpers, callers = with_helpers(lower_chart(CHARTS["exponential"]).scalars)
-    assert list(helpers) == ["nearby_to_alpha", "C01_to_h", "s_and_w", "g_to_c4", "sine_to_h"]
-    holding = [name for name, program in (helpers | callers).items() if "C7" in {step.name for step in program.steps}]
-    assert holding == ["nearby_to_alpha", "ray"]  # the zero of ``ray`` is named, for its constant size reads it too

@@ -1,59 +1,10 @@
-"""Seeded dual vectors for the tests of this folder: numbers of 50 digits, or exact fractions."""
+"""Working precision of the tests of this folder."""
 
 from __future__ import annotations
 
-import random
-from collections.abc import Callable, Iterator
-from fractions import Fraction
-
-import mpmath
 import pytest
-
-from derive.algebra import Dual, Structure, Vector, dual_part, real_part
 
 
 @pytest.fixture(autouse=True)
-def fifty_digits() -> Iterator[None]:
-    with mpmath.workdps(50):
-        yield
-
-
-@pytest.fixture
-def draw() -> Callable[..., Vector]:
-    """Draw a 50-digit dual vector with Re|v| up to √3 `size`."""
-    rng = random.Random(20231)
-
-    def vector(size: float = 1.0) -> Vector:
-        def part(scale: float) -> list[mpmath.mpf]:
-            return [mpmath.mpf(rng.uniform(-scale, scale)) for _ in range(3)]
-
-        return Vector.dual(part(size), part(4))
-
-    return vector
-
-
-@pytest.fixture
-def draw_exact() -> Callable[[], Vector]:
-    """Draw a dual vector with small fractions as components."""
-    rng = random.Random(111)
-
-    def vector() -> Vector:
-        def part() -> list[Fraction]:
-            return [Fraction(rng.randint(-7, 7), rng.randint(1, 5)) for _ in range(3)]
-
-        return Vector.dual(part(), part())
-
-    return vector
-
-
-@pytest.fixture
-def gap() -> Callable[[object, object], mpmath.mpf]:
-    """Return the largest difference, real or dual, between two numbers or structures."""
-
-    def largest(a: object, b: object) -> mpmath.mpf:
-        difference = a - b  # type: ignore[operator]
-        entries = list(difference) if isinstance(difference, Structure) else [difference]
-        return max(abs(mpmath.mpmathify(part)) for e in entries for part in (real_part(e), dual_part(e)))
-
-    assert largest(Dual(1, 5), Dual(1, 2)) == 3
-    return largest
+def _of_fifty_digits(fifty_digits: None) -> None:
+    """Work with 50 digits in every test of this folder."""

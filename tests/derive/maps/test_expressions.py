@@ -138,8 +138,7 @@ def test_user_text_is_never_run(monkeypatch: pytest.MonkeyPatch):
 def test_wrong_grammar_is_refused_without_sympy() -> None:
     code = """
 import sys
-from derive.maps.any_phi.grammar import PHI
-from derive.maps.phi_error import PhiError
+from derive.maps.grammar import PHI, PhiError
 try:
     PHI.tree("alpha + beta")
 except PhiError:

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 import sympy
 
-from derive.algebra import cayley_pairs
+from derive.algebra import arithmetic
 from derive.algebra.arithmetic import PLAIN
 from derive.maps import Cayley, polynomials
 from derive.maps.any_phi import intervals, near_zero
@@ -43,17 +43,17 @@ def test_rational_keeps_powers_of_one_plus_x_and_positive_denominators() -> None
 @pytest.mark.parametrize("n", [0, -1, -7])
 def test_orders_below_one_are_refused(n: int) -> None:
     with pytest.raises(ValueError, match=rf"the order n must be an integer >= 1, got {n}"):
-        cayley_pairs.pair(n, 1)
+        arithmetic.pair(n, 1)
 
 
 @pytest.mark.parametrize("n", [True, 2.0, "3", None, 1.5, Fraction(3)])
 def test_other_types_are_refused(n) -> None:
     with pytest.raises(TypeError, match=r"the order n must be an integer >= 1, got .* of type"):
-        cayley_pairs.pair(n, 1)
+        arithmetic.pair(n, 1)
 
 
 def test_integer_types_are_accepted() -> None:
-    assert cayley_pairs.require_order(np.int64(3)) == cayley_pairs.require_order(sympy.Integer(3)) == 3
+    assert arithmetic.require_order(np.int64(3)) == arithmetic.require_order(sympy.Integer(3)) == 3
 
 
 @pytest.mark.parametrize("n", [HORNER_LIMIT + 1, 10, 12, 14, 16, 23, 64])

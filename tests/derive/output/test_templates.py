@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from derive.output import generated, render, templates
+from derive.output import generated, pages, render
 
 pytestmark = pytest.mark.smoke
 
@@ -15,17 +15,17 @@ pytestmark = pytest.mark.smoke
 @pytest.fixture
 def write(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Callable[[str, str], object]]:
     """Provide a function that writes templates into a folder used in place of the project's templates."""
-    monkeypatch.setattr(templates, "folder", lambda: tmp_path)
-    templates.environment.cache_clear()
-    templates.holes.cache_clear()
+    monkeypatch.setattr(pages, "folder", lambda: tmp_path)
+    pages.environment.cache_clear()
+    pages.holes.cache_clear()
 
     def written(name: str, text: str) -> None:
         (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
         (tmp_path / name).write_text(text, encoding="utf-8")
 
     yield written
-    templates.environment.cache_clear()
-    templates.holes.cache_clear()
+    pages.environment.cache_clear()
+    pages.holes.cache_clear()
 
 
 def test_template_is_rendered(write):
@@ -76,6 +76,6 @@ def test_file_without_holes_is_copied_beneath_the_header(write):
 
 
 def test_templates_have_holes():
-    for path in templates.folder().rglob("*.j2"):
+    for path in pages.folder().rglob("*.j2"):
         text = path.read_text(encoding="utf-8").removeprefix("{{ header }}")
         assert "{{" in text or "{%" in text, f"{path} has no holes: remove its ending .j2"

@@ -10,8 +10,7 @@ import sympy
 
 import derive
 import dualcay
-from derive.codegen.lowered import lower_chart
-from derive.codegen.signatures import PUBLIC
+from derive.codegen.signatures import PUBLIC, lower_chart
 from derive.pages.explain import COVERAGE
 
 CHARTS = (derive.Cayley(1), derive.Cayley(3), derive.family("breusing"), derive.family("scaled2"))

@@ -21,8 +21,8 @@ from derive.pages import sheet, sheet_files
 from derive.pages.sheet_files import FLAGS, pieces
 from derive.proof import ProofFailed
 from derive.proof.identity import Proof
+from derive.proof.methods import decided
 from derive.proof.proved import CLAIMS
-from derive.proof.theorem import decided
 from docs._ext import sheet as site
 from tests.support import browsers
 from tests.support.command import ROOT, dualcay
@@ -126,24 +126,6 @@ def test_html_has_four_pages_with_theorems(written: Path) -> None:
     assert "def · Jacobian of the rate" in text
     assert "http" not in text.replace("http://www.w3.org/1998/Math/MathML", "")
     assert 'mathvariant="bold"' not in text
-
-
-@pytest.mark.parametrize(
-    ("arguments", "message"),
-    [
-        (["--what", "sheet"], "the sheet needs -o with an ending .html or .pdf"),
-        (["--what", "sheet", "-o", "sheet.txt"], "the sheet needs -o with an ending .html or .pdf"),
-        (["--what", "sheet", "-n", "2", "-o", "sheet.pdf"], "no chart, no --format"),
-        (["--what", "sheet", "--format", "json", "-o", "sheet.pdf"], "no chart, no --format"),
-        (["--what", "sheet,p", "-n", "2"], "or sheet alone, got 'sheet'"),
-        (["--what", "p", "-n", "2", "-o", "p.html"], "add --what sheet"),
-    ],
-)
-def test_bad_options_are_refused(tmp_path: Path, arguments: list[str], message: str) -> None:
-    done = dualcay("show", *arguments, cwd=tmp_path)
-    assert done.returncode == 2
-    assert message in done.stderr
-    assert list(tmp_path.iterdir()) == []
 
 
 def test_altered_theorem_leaves_the_file_as_it_was(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

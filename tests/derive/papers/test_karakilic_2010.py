@@ -1,11 +1,9 @@
-"""Tests of K10: statuses, single entries, and what its file states beside the claims."""
+"""File of K10: what it states beside its claims, and refusals of altered entries."""
 
 from __future__ import annotations
 
-import json
 import re
 from pathlib import Path
-from typing import Any
 
 import pytest
 
@@ -19,52 +17,12 @@ from tests.support.command import dualcay
 from tests.support.imports import ROOT
 
 PAPER = PAPERS[1]
-AMBIGUOUS = {"conclusion-22"}
-ERRATA = {"14", "zero-components", "quadratic-expansion"}
-HOLDS = {
-    *("dual-number", "addition", "multiplication", "zero-divisors", "ring", "no-field", "sine", "cosine"),
-    *("exponential", "dual-vector", "module", "dimension", "degenerate", "unit", "unit-vector", "study"),
-    *("study-product", "length", "orthogonal-diagonals", "not-singular", "transposed", "orthogonal", "matrix"),
-    *("vector", "product", "rhombus", "vertex-angle"),
-}
-
-
-@pytest.fixture(scope="module")
-def results(karakilic: Path) -> dict[str, dict[str, Any]]:
-    found = json.loads((karakilic / "errata.json").read_text(encoding="utf-8"))
-    return {entry["equation"]: entry for entry in found["equations"]}
-
-
-def test_statuses(results) -> None:
-    found = {status: {n for n, r in results.items() if r["status"] == str(status)} for status in Status}
-    assert found[Status.ERRATUM] == ERRATA
-    assert found[Status.AMBIGUOUS] == AMBIGUOUS
-    assert found[Status.HOLDS] == HOLDS
-
-
-def test_all_but_two_are_decided_exactly(results) -> None:
-    evidence = {number for number, result in results.items() if result["method"].startswith("evidence")}
-    assert evidence <= {"exponential", "positions"}
-
-
-@pytest.mark.parametrize("number", ["20", "21", "22", "conclusion-20", "conclusion-21", "conclusion-22"])
-def test_dual_parameters_hold_below_a_half_turn(results, number: str) -> None:
-    assert results[number]["condition"] == r"0 < \operatorname{Tan} \frac{f}{2}"
-
-
-def test_domain_of_14_ends_at_a_half_turn(results) -> None:
-    result = results["14"]
-    assert result["claimed"] == r"0 < f ;\quad f < 2\, \pi"
-    assert result["corrected"].startswith(r"0 < f ;\quad f < \pi \Rightarrow 1 - s_1^{2} \neq 0 \Rightarrow ")
 
 
 def test_frame_is_not_chosen_if_components_are_read() -> None:
     components = {entry.number for entry in PAPER.entries() if entry.components}
     assert {"skew-entries", "matrix", "vector", "14", "18", "denominators"} <= components
     assert components.isdisjoint({"length", "module", "7", "positions"})
-
-
-# ---- the file --------------------------------------------------------------------------------------------------------
 
 
 def altered(old: str, new: str) -> Sheet:

@@ -18,10 +18,10 @@ from derive.maps.cayley import EQUATIONS
 from derive.papers import PAPERS
 from derive.proof import evaluation
 from derive.proof import notation as m
+from derive.proof.calculus_theorems import GROWING_ORDER
 from derive.proof.components import STATEMENTS
 from derive.proof.displacement_theorems import CLOSED_AT
 from derive.proof.identity import Equation
-from derive.proof.limit_theorems import GROWING_ORDER
 from derive.proof.phi_theorems import ANY_PHI
 from derive.proof.proved import STATED
 

@@ -7,9 +7,9 @@ from dataclasses import replace
 import pytest
 import sympy
 
+from derive.proof.calculus_theorems import GROWING_ORDER
 from derive.proof.displacement_theorems import TURNED
 from derive.proof.identity import Equation, Premise, definition
-from derive.proof.limit_theorems import GROWING_ORDER
 from derive.proof.map_theorems import (
     ADDITION,
     ANGLES,
@@ -24,12 +24,11 @@ from derive.proof.map_theorems import (
     TURN,
     TWICE,
 )
-from derive.proof.methods import Identity
+from derive.proof.methods import Identity, Theorem
 from derive.proof.notation import Shifted, m, n, p, p_double, p_m, p_sum, q, q_double, q_m, q_sum, v, x
 from derive.proof.phi_theorems import ANY_PHI
 from derive.proof.proved import STATED
 from derive.proof.setting import Setting, Symbols
-from derive.proof.theorem import Theorem
 from docs.pages.controls import controls
 from tests.support.theorems import known
 

@@ -14,25 +14,7 @@ from derive.algebra.arithmetic import PLAIN
 from derive.maps import Cayley, family, x
 from derive.maps.elementary import alpha
 from derive.proof import ProofFailed, prove, root_of, scalars
-from derive.proof.displacement_theorems import DOUBLE_ANGLE, EXPONENTIAL, VERSOR_EXPONENTIAL
-from derive.proof.limit_theorems import GROWING_ORDER
-from derive.proof.phi_theorems import ANY_PHI, any_phi
 from derive.proof.scalars import ScalarProofs, _at_origin
-from derive.proof.theorem import decided
-from docs.pages.controls import controls, controls_of
-
-
-def test_theorems_hold():
-    assert {proof.status for proof in any_phi()} == {"proved"}
-    assert {proof.scope for proof in any_phi()} == {"every phi"}
-
-
-@pytest.mark.parametrize("theorem", ANY_PHI[2:6:3], ids=lambda theorem: theorem.name)
-def test_controls_fail(theorem):
-    """Run the controls of two theorems; `make check-theorems` runs all controls."""
-    found = [*controls([theorem], {proof.name: proof for proof in any_phi()})]
-    assert found
-    assert [str(control) for control in found if not control.noticed] == []
 
 
 def test_wrong_coefficient_is_no_instance():
@@ -66,17 +48,6 @@ def test_phi_with_another_start_fails(phi: sympy.Expr):
 
 
 # --- limit for growing order ------------------------------------------------------------------------------------------
-
-RESTING_ON = (DOUBLE_ANGLE, EXPONENTIAL, VERSOR_EXPONENTIAL)
-
-
-def test_theorems_hold_and_controls_fail():
-    known = {proof.name: proof for proof in decided([*RESTING_ON, *GROWING_ORDER])}
-    assert {proof.status for proof in known.values()} == {"proved"}
-    found = [*controls(GROWING_ORDER, known)]
-    assert len(found) > 40
-    assert [str(control) for control in found if not control.noticed] == []
-
 
 def test_scaled_charts_solve_the_differential_equation():
     """Check φ′ = 1 + φ²/(2n)² and φ(0) = 0 for symbolic n, and the chart of order 3 as an instance."""
@@ -125,10 +96,6 @@ def test_scalars_of_cayley_maps_are_proved(n: int) -> None:
     assert [len(proof.residues) for proof in proofs] == [11, 7, 7, 5, 3]
     assert all(proof.proved for proof in proofs)
     assert {proof.scope for proof in proofs} == {f"n = {n}"}
-
-
-def test_controls_fail_at_order_11() -> None:
-    assert [str(control) for control in controls_of(Cayley(11)) if not control.noticed] == []
 
 
 @pytest.mark.parametrize("place", [0, 1, 2])

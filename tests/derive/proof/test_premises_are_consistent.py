@@ -13,12 +13,11 @@ from derive.proof.displacement_theorems import EXPONENTIAL, ROTATION
 from derive.proof.evaluation import NoValueError
 from derive.proof.identity import Equation, Premise, definition
 from derive.proof.map_theorems import ANGLES, COSINE, NORM, ONE, RISE, SINE, SUMS, TURN, recurring
-from derive.proof.methods import Determined, Identity
+from derive.proof.methods import Determined, Identity, Theorem
 from derive.proof.notation import R, Shifted, alpha, cross, dot, n, p, prime, q, rate, skew, u, v, x
 from derive.proof.proved import STATED
 from derive.proof.scalars import FORMULAS, instance
 from derive.proof.setting import Symbols
-from derive.proof.theorem import Theorem
 from tests.support.theorems import known
 
 A, S, G, y, si, co = sympy.symbols("A S G y si co")

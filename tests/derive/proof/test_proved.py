@@ -13,7 +13,7 @@ import sympy
 from latex2mathml.converter import convert
 
 from derive.codegen.build import print_package
-from derive.codegen.lowering.scalar_programs import FORMULAS
+from derive.codegen.lowering.scalar_programs import SCALARS
 from derive.codegen.targets import TARGETS
 from derive.codegen.targets.python import formula_of
 from derive.maps import Cayley, cayley, family, parameterization, x
@@ -22,7 +22,7 @@ from derive.maps.chart_formulas import DEFINITIONS, IDENTITIES
 from derive.proof import ProofFailed, Proved, proofs, prove, shown, theorems
 from derive.proof.identity import Check, Equation, Multiplier, Premise, Proof, decide, definition
 from derive.proof.notation import n, p, q
-from derive.proof.texts import MARKED, compared, shown_with
+from derive.proof.proved import MARKED, compared, shown_with
 from docs.pages.controls import variants
 
 
@@ -153,7 +153,7 @@ def _texts() -> Iterator[tuple[str, Cayley | None]]:
     yield from ((text, four) for of in maps for text in (f"{of.symbol} = {of.definition}", *of.identities))
     yield from ((text, None) for texts in IDENTITIES.values() for text in texts)
     yield from ((text, None) for text in DEFINITIONS.values())
-    for general, of_order, _ in FORMULAS.values():
+    for general, of_order in ((row.every, row.of_order) for row in SCALARS.values()):
         yield from ((text, None) for text in MARKED.findall(general))
         yield from ((text, four) for text in MARKED.findall(of_order))
 
@@ -209,10 +209,10 @@ def test_generation_refuses_a_wrong_comment(
     scalar: str, right: str, wrong: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Alter the formulas above scalar programs; a and b are p and q up to order 8 only."""
-    general, of_order, maps = FORMULAS[scalar]
-    assert right in general + of_order
-    altered = general.replace(right, wrong), of_order.replace(right, wrong), maps
-    monkeypatch.setitem(cast(dict[str, Any], FORMULAS), scalar, altered)
+    row = SCALARS[scalar]
+    assert right in row.every + row.of_order
+    altered = replace(row, every=row.every.replace(right, wrong), of_order=row.of_order.replace(right, wrong))
+    monkeypatch.setitem(cast(dict[str, Any], SCALARS), scalar, altered)
     with pytest.raises(ProofFailed, match="not proved: "):
         print_package([Cayley(9)], TARGETS["numpy"])
 

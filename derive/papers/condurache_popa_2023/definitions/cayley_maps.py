@@ -97,7 +97,6 @@ def branch(env: Env, n: Any, k: int, alpha: Any, u: Vector) -> Any:
 
 
 def constant(env: Env, value: Any) -> Callable[[Any], Any]:
-    """Return a constant function of v with this value."""
     return lambda argument: value
 
 
@@ -118,7 +117,6 @@ def modified_root(env: Env, n: Any, a: Any, v: Vector) -> Any:
 
 
 def modified_tensor(env: Env, n: Any, a: Any, v: Vector) -> Tensor:
-    """Return the orthogonal dual tensor of (59), computed from its quaternion."""
     return first_principles.tensor_by_sandwich(modified(env, n, a, v))
 
 

@@ -39,7 +39,6 @@ image = plain(lambda T, a: T @ a)
 
 
 def component_of(index: int) -> Callable[..., Any]:
-    """Return the definition of a vector component, counted from 1."""
     return plain(lambda a: tuple(a)[index - 1])
 
 
@@ -124,7 +123,6 @@ Frame = Callable[[int], Vector]
 
 
 def multiplies_onto(env: Env, a: Any) -> bool:
-    """Return whether some multiple of a is 1."""
     try:
         return bool(env.equal(a * (1 / a), 1))
     except ZeroDivisionError:
@@ -154,7 +152,6 @@ def axes(env: Env, u: Vector, a: Vector) -> bool:
 
 
 def one_axis(env: Env, a: Vector) -> Any:
-    """Return a unit vector along a."""
     if not env.field.vanishes(innermost(a.dot(a))):
         return a / env.field.magnitude(a)
     length = env.field.magnitude(a.du)

@@ -75,7 +75,6 @@ def moments_of(env: Env, m: Vector, alpha: Any, u: Vector) -> bool:
 
 
 def exponential(env: Env, a: Vector) -> Tensor:
-    """Return the exponential of the skew-symmetric tensor of a vector."""
     return tensor_exponential(a, env.field)
 
 
@@ -115,8 +114,6 @@ def covering(env: Env) -> values.Map:
 
 
 def at_rest(env: Env, a: Any) -> Any:
-    """Return a value with its time derivatives set to 0."""
-
     def still(c: Any) -> Any:
         if not isinstance(c, Dual):
             return c

@@ -58,7 +58,6 @@ def as_vector(env: Env, a: Vector | Quaternion) -> Vector:
 
 
 def at_order(order: int, function: Callable[..., Any]) -> Callable[..., Any]:
-    """Return a definition with its order fixed."""
     return lambda env, *arguments: function(env, order, *arguments)
 
 

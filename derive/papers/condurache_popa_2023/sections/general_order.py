@@ -30,7 +30,6 @@ SCREW_OF_V = (
 
 
 def finite(angle: Term) -> Term:
-    """Return the condition for a finite tangent of an angle."""
     return nonzero(Re(cos(angle)))
 
 

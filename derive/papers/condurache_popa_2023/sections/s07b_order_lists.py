@@ -27,11 +27,9 @@ class Order:
         self.preimage = (let(v, orders.at_order(n, orders.preimage), alpha, u),)
 
     def polynomials(self, number: str) -> Entry:
-        """Return the entry about p_n and q_n."""
         return equation(number, both(*self._polynomials), where=self.where)
 
     def each_polynomial(self, *numbers: str) -> tuple[Entry, ...]:
-        """Return an entry about p_n and one about q_n."""
         return tuple(map(self.equation, numbers, self._polynomials))
 
     @property
@@ -39,15 +37,12 @@ class Order:
         return equal(self.p(X), self.p_of_X), equal(self.q(X), self.q_of_X)
 
     def equation(self, number: str, statement: Term, **rest: Any) -> Entry:
-        """Return the entry about a formula at this order."""
         return equation(number, statement, where=self.where, **rest)
 
     def quaternion(self, number: str) -> Entry:
-        """Return the entry about the unit dual quaternion."""
         return self.equation(number, equal(pm(q_hat), self.q_hat_of_v))
 
     def tensor(self, number: str) -> Entry:
-        """Return the entry about the orthogonal dual tensor."""
         return self.equation(number, equal(R, self.R_of_v))
 
     def vector(self, number: str) -> Entry:
@@ -56,7 +51,6 @@ class Order:
         return equation(number, equal(v, tan(angle) * u), where=self.preimage, condition=finite(angle))
 
     def vectors(self, number: str) -> Entry:
-        """Return the entry about the Rodrigues dual vectors of all branches."""
         n, angle = self.n, (alpha + 2 * k * pi) / (2 * self.n)
         statement = remark(equal(v, tan(angle) * u), words(rf"k = \overline{{0,{n - 1}}}", f"k=0,{n - 1}"))
         return equation(number, statement, where=self.preimage, condition=finite(angle), branches=n)

@@ -3,8 +3,8 @@
 from collections.abc import Callable
 from typing import Any
 
-from ....maps.breusing import Breusing
 from ....maps.named import scaled, sine
+from ....maps.sine import Breusing
 from ..definitions import cayley_maps, orders
 from . import *
 from .general_order import *

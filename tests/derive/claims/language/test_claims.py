@@ -9,10 +9,10 @@ import pytest
 import sympy
 
 from derive.algebra import Quaternion, matrix
-from derive.claims.language.abbreviations import Abbreviation, ClaimError, Scope, expanded
 from derive.claims.language.claims import statement
 from derive.claims.language.environment import Env
 from derive.claims.language.letters import LETTERS, letter
+from derive.claims.language.names import Abbreviation, ClaimError, Scope, expanded
 from derive.claims.language.operations import OPERATIONS, written
 from derive.claims.language.printed import Symbol
 from derive.claims.numbers.balls import Balls, precision

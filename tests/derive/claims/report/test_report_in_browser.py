@@ -10,7 +10,9 @@ from pathlib import Path
 
 import pytest
 
+from derive.claims.report import FORMATS, Report
 from derive.claims.result import Status
+from derive.papers import PAPERS, verify
 from tests.support import browsers
 
 pytestmark = pytest.mark.browser
@@ -56,14 +58,18 @@ def browser() -> str:
 
 
 @pytest.fixture(scope="module")
-def statuses(karakilic: Path) -> list[str]:
-    found = json.loads((karakilic / "errata.json").read_text(encoding="utf-8"))
-    return [entry["status"] for entry in found["equations"]]
+def karakilic() -> Report:
+    return Report.of(PAPERS, verify("karakilic-2010"), [])
 
 
 @pytest.fixture
-def look(browser: str, karakilic: Path, tmp_path: Path):
-    page = (karakilic / "errata.html").read_text(encoding="utf-8")
+def statuses(karakilic: Report) -> list[str]:
+    return [str(result.status) for result in karakilic.results]
+
+
+@pytest.fixture
+def look(browser: str, karakilic: Report, tmp_path: Path):
+    page = FORMATS["html"](karakilic)
     (tmp_path / "errata.html").write_text(page.replace("</body>", f"{PROBE}</body>"), encoding="utf-8")
 
     def visit(address: str, *flags: str) -> dict[str, object]:

@@ -11,8 +11,8 @@ import pytest
 from derive.claims.equation import Entry, Reading, equation
 from derive.claims.language.operator_table import Re, equal, nonzero
 from derive.claims.language.printed import Symbol, latex
-from derive.claims.report.content import Report, command, domain, example, extent, label, place, readings, why
-from derive.claims.report.forms import as_text, notes, table
+from derive.claims.report.content import Report, domain, example, extent
+from derive.claims.report.forms import as_text, table
 from derive.claims.report.plain import escape, plain
 from derive.claims.result import Counterexample, Result, Status, Verdict
 from derive.papers import PAPERS
@@ -88,23 +88,6 @@ def test_section_is_read_from_the_module_name(source: str, section: str) -> None
 # ---- in words --------------------------------------------------------------------------------------------------------
 
 
-def test_labels_and_places_of_entries() -> None:
-    named = result(number="half-angle")
-    assert (label(IF), label(named)) == ("(7)", "half-angle")
-    assert (place(IF), place(named)) == ("section 9, equation (7)", "section 9")
-    assert command(named) == "dualcay verify --paper condurache-popa-2023 --eq half-angle"
-    assert (why(IF), why(result(remark=""))) == ("A sign is missing.", "title.")
-
-
-@pytest.mark.parametrize(
-    ("truths", "said"),
-    [([True], ""), ([False, False], "2 readings, none true"), ([True, True, False], "3 readings, 2 true")],
-)
-def test_listed_readings_are_counted(truths: list[bool], said: str) -> None:
-    verdicts = tuple(Verdict(equal(a, b), "", truth, "") for truth in truths)
-    assert readings(result(verdicts=verdicts)) == said
-
-
 def test_lines_for_found_and_stated_domains() -> None:
     both = {"condition": nonzero(Re(b)), "claimed": nonzero(a), "stated": (1, "x")}
     assert domain(result(Status.HOLDS_IF, **both)) == ("at least where Re b ≠ 0", "for a ≠ 0, as stated")
@@ -128,12 +111,6 @@ def test_lines_for_found_and_stated_domains() -> None:
 )  # fmt: skip
 def test_counterexample_in_lines(symbols, sides, lines) -> None:
     assert example(Counterexample("the point", symbols, sides)) == lines
-
-
-def test_notes_are_the_words_the_remark_and_the_place() -> None:
-    full = result(fixed_by="line 9")
-    assert notes(full) == ("In the paper: “words”", "A sign is missing. More.", "The reading follows from line 9.")
-    assert notes(result(said="", remark="")) == ()
 
 
 # ---- tables ----------------------------------------------------------------------------------------------------------

@@ -14,6 +14,8 @@ from derive.algebra.first_principles import quaternion_exponential, tensor_expon
 from derive.maps import cayley_scalars
 from derive.proof import evaluation
 
+pytestmark = pytest.mark.usefixtures("fifty_digits")
+
 TINY = mpmath.mpf(10) ** -40
 Gap = Callable[[object, object], Any]
 Draw = Callable[..., Vector]

@@ -25,6 +25,8 @@ from derive.algebra.pose import (
 )  # fmt: skip
 from derive.maps import cayley_scalars
 
+pytestmark = pytest.mark.usefixtures("fifty_digits")
+
 S = sympy.Rational
 X, Y = Vector(mpmath.mpf(1), mpmath.mpf(0), mpmath.mpf(0)), Vector(mpmath.mpf(0), mpmath.mpf(1), mpmath.mpf(0))
 

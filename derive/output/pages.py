@@ -1,17 +1,22 @@
-"""Find and render templates, which contain only layout; each receives exactly the names it uses.
+"""Render templates, which contain only layout, and write pages with their facts as JSON beside them.
 
-A file without holes stands in the folder ``runtime`` of its target and is copied, so that linters and editors see it
-where it is written.
+Each template receives exactly the names it uses. A file without holes stands in the folder ``runtime`` of its target
+and is copied, so that linters and editors see it where it is written.
 """
 
 from __future__ import annotations
 
+import json
+import sys
+from collections.abc import Mapping
 from functools import cache
 from pathlib import Path
 from typing import Any
 
 import jinja2
 from jinja2 import meta, nodes
+
+from . import files
 
 
 def folder() -> Path:
@@ -22,7 +27,6 @@ def folder() -> Path:
 
 @cache
 def environment() -> jinja2.Environment:
-    """Return the environment that renders all templates."""
     return jinja2.Environment(
         loader=jinja2.FileSystemLoader(folder(), encoding="utf-8"),
         undefined=jinja2.StrictUndefined,
@@ -73,3 +77,54 @@ def holes(name: str) -> frozenset[str]:
             raise TypeError(f"templates/{name} refers to a template by a computed name")
         names |= holes(reference) - defined
     return frozenset(names)
+
+
+def json_rows(**facts: Any) -> str:
+    """Return facts as JSON, those of a list on a line each, so that differences of two versions are short.
+
+    Examples
+    --------
+    >>> print(json_rows(schema=1, sides=[{"left": "α"}, {"left": "β"}]), end="")
+    {"schema": 1,
+    "sides": [
+    {"left": "α"},
+    {"left": "β"}
+    ]}
+    """
+    texts = (
+        "[\n" + ",\n".join(json.dumps(row, ensure_ascii=False) for row in value) + "\n]"
+        if isinstance(value, list) else json.dumps(value, ensure_ascii=False) for value in facts.values()
+    )  # fmt: skip
+    return "{" + ",\n".join(f'"{name}": {text}' for name, text in zip(facts, texts, strict=True)) + "}\n"
+
+
+def beside(output: Path, page: str, facts: str) -> dict[str, str]:
+    return {output.name: page, output.with_suffix(".json").name: facts}
+
+
+def stale(output: Path, texts: Mapping[str, str]) -> list[files.Difference]:
+    """Return the differences of a page and what stands beside it; other files of the folder do not count."""
+    known = {output.parent / name for name in texts}
+    return [found for found in files.compare(output.parent, texts) if found.path in known]
+
+
+def writable(output: Path | None) -> bool:
+    """Tell whether a page and its facts can be written, if a page is named; say on stderr why not."""
+    try:
+        if output is not None:
+            files.refuse(output.parent, beside(output, "", ""), force=True)
+    except files.RefusedError as error:
+        print(f"error: {error}", file=sys.stderr)
+        return False
+    return True
+
+
+def deliver(output: Path, texts: Mapping[str, str], check: bool, module: str) -> int:
+    """Write a page and its facts, or compare them; the exit code is 1 if a file is stale."""
+    if not check:
+        files.write(output.parent, texts, force=True)
+        return 0
+    found = stale(output, texts)
+    for difference in found:
+        print(f"{difference.path} is stale; accept with:  python -m {module} -o {output}", file=sys.stderr)
+    return 1 if found else 0

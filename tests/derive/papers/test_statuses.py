@@ -1,0 +1,69 @@
+"""Statuses of the papers' entries in docs/errata.json, which `make check-errata` decides anew."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections import Counter
+from typing import Any
+
+import pytest
+
+import derive
+from tests.support.imports import ROOT
+
+PAGE = ROOT / "docs" / "errata.md"
+ENTRIES: dict[str, dict[str, Any]] = {
+    f"{entry['paper'][0]} {entry['equation']}": entry
+    for entry in json.loads(PAGE.with_suffix(".json").read_text(encoding="utf-8"))["equations"]
+}
+"""Entries by the first letter of the paper and the number: c for CP23, k for K10."""
+
+COUNTS = {"c": ("CP23", 36, 1, 71, 208, 316), "k": ("K10", 3, 1, 57, 27, 88)}
+"""Numbers of errata, ambiguous entries, entries that hold if a condition does, entries that hold, and all."""
+
+EVIDENCE = {
+    *("c arc-tangent", "c quaternion-norm", "c 25", "c 42", "c 43", "c 58", "c sinc"),
+    *("c shadow-formula", "c shadow-at-infinity", "c shadow-avoids-singularity", "k exponential", "k positions"),
+}
+"""Entries that are decided by numbers alone."""
+
+
+@pytest.mark.parametrize("paper", COUNTS)
+def test_page_and_data_have_the_same_statuses(paper: str) -> None:
+    found = Counter(entry["status"] for key, entry in ENTRIES.items() if key.startswith(paper))
+    _, *counts, every = COUNTS[paper]
+    assert [found[status] for status in ("erratum", "ambiguous", "holds-if", "holds")] == counts
+    assert sum(counts) == every
+    assert f"| {' | '.join(map(str, COUNTS[paper]))} |" in PAGE.read_text(encoding="utf-8")
+
+
+def test_all_but_a_few_are_decided_exactly() -> None:
+    assert {key for key, entry in ENTRIES.items() if entry["method"].startswith("evidence")} == EVIDENCE
+
+
+@pytest.mark.parametrize(
+    ("key", "part", "text"),
+    [
+        *((f"c {name}onto", "method", "refuted at .*supporting identity proved exactly")
+          for name in ("cayley-", "cayley-quaternion-", "cayley-half-")),
+        *((f"c {number}", "method", "supporting identity proved exactly")
+          for number in ("arc-tangent", "25", "42", "43")),
+        ("c 105", "corrected", r"\\frac\{1 - \\left\|\\underline\{\\mathbf\{v\}\}\\right\|\^\{2\}\}\{4\}"),
+        ("c 111", "corrected", r"16\\, \\underline"), ("c 125", "corrected", "45 - 34"),
+        ("c 129", "corrected", r"\\frac\{1\}\{2\}\\, d"),
+        *((f"k {number}", "condition", r"^0 < \\operatorname\{Tan\} \\frac\{f\}\{2\}$")
+          for number in ("20", "21", "22", "conclusion-20", "conclusion-21", "conclusion-22")),
+        ("k 14", "claimed", r"^0 < f ;\\quad f < 2\\, \\pi$"),
+        ("k 14", "corrected", r"^0 < f ;\\quad f < \\pi \\Rightarrow 1 - s_1\^\{2\} \\neq 0 \\Rightarrow "),
+    ],
+)  # fmt: skip
+def test_what_is_told_of_an_entry(key: str, part: str, text: str) -> None:
+    assert re.search(text, ENTRIES[key][part])
+    assert part != "corrected" or not re.search(text, ENTRIES[key]["printed"])
+
+
+def test_second_reading_of_an_inverse_is_false() -> None:
+    """Decide an entry whose other reading closes the bracket before the identity."""
+    (result,) = derive.verify("condurache-popa-2023", "30")
+    assert [verdict.true for verdict in result.verdicts] == [True, False]
