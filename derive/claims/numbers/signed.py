@@ -72,7 +72,7 @@ class Signed(RationalFunctions):
         x, (low, high) = sympy.Symbol("x"), self.ranges.get(name, (-sympy.oo, sympy.oo))
         a = sympy.Poly({(k,): sympy.Rational(c.numerator, c.denominator) for k, c in terms.items()}, x)
         for end in (low, high):
-            while end.is_Rational and a.degree() > 0 and a.eval(end) == 0:
+            while end.is_Rational and a.degree() > 0 and a.rem(sympy.Poly(x - end, x)).is_zero:
                 a = a.quo(sympy.Poly(x - end, x))
         at_ends = a.gcd(prod(self._ends.get(name, ()), start=sympy.Poly(1, x)))
         while at_ends.degree() > 0 and (shared := a.gcd(at_ends)).degree() > 0:
