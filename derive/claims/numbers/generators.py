@@ -17,7 +17,7 @@ from contextlib import suppress
 from fractions import Fraction
 from functools import cached_property
 from itertools import combinations
-from math import prod
+from math import comb, prod
 from typing import Any
 
 import sympy
@@ -123,9 +123,9 @@ class Generators(Field):
         """Return the polynomial in a tangent that vanishes where its angle is a multiple of π; None for other ends."""
         if not (end / sympy.pi).is_Rational:
             return None
-        x = sympy.Symbol("x")
-        power = sympy.Poly((1 + sympy.I * x) ** (2 * self.steps * (end / sympy.pi).q), x, extension=sympy.I)
-        return sympy.Poly(sum(sympy.im(c) * x**k for (k,), c in power.terms()), x)
+        x, steps = sympy.Symbol("x"), 2 * self.steps * (end / sympy.pi).q
+        imaginary = {(k,): comb(steps, k) * (-1) ** (k // 2) for k in range(1, steps + 1, 2)}  # of (1 + i x)**steps
+        return sympy.Poly(imaginary, x)
 
     # ---- roots -------------------------------------------------------------------------------------------------------
 

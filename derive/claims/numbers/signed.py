@@ -27,6 +27,8 @@ class Signed(RationalFunctions):
         point = {name: Fraction(int(sympy.prime(i + 5)), 7) for i, name in enumerate(names)}
         super().__init__(names, point | {"pi": Fraction(355, 113)})
         self.ranges: dict[str, tuple[Bound, Bound]] = {}
+        self.positive = [False] * len(self.names)
+        self._known: dict[tuple[str, bool], bool] = {}  # definite polynomials by their text
         self._ends: dict[str, Any] = {}
         self.restrict("pi", sympy.Integer(3), sympy.Integer(4))
         for name, (low, high) in ranges.items():
@@ -35,6 +37,8 @@ class Signed(RationalFunctions):
     def restrict(self, name: str, low: Bound, high: Bound, ends: Sequence[Any] = ()) -> None:
         """Set the interval of a generator; the polynomials `ends` vanish at its irrational ends."""
         self.ranges[name], self._ends[name] = (low, high), ends
+        self.positive[self.index(name)] = bool(low >= 0)
+        self._known.clear()
         self.point[name] = _between(low, high)
 
     def reduced(self, a: Any) -> Any:
@@ -55,9 +59,15 @@ class Signed(RationalFunctions):
 
     def definite(self, factor: Any, strict: bool = False) -> bool:
         """Return whether a polynomial has one sign, by its coefficients, squares or Sturm; nowhere 0 if `strict`."""
+        key = str(factor), strict
+        if key not in self._known:
+            self._known[key] = self._is_definite(factor, strict)
+        return self._known[key]
+
+    def _is_definite(self, factor: Any, strict: bool) -> bool:
         terms = self.library.terms(factor)
         used = {i for powers in terms for i, power in enumerate(powers) if power}
-        positive = [name in self.ranges and self.ranges[name][0] >= 0 for name in self.names]
+        positive = self.positive
         even = all(power % 2 == 0 or sign for powers in terms for power, sign in zip(powers, positive, strict=True))
         if even and len({c > 0 for c in terms.values()}) == 1:
             apart = (all(sign or not power for power, sign in zip(powers, positive, strict=True)) for powers in terms)
