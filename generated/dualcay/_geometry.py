@@ -1482,13 +1482,13 @@ def interpolate(m: Any, c: Any, v1: Components, v2: Components, time: Components
     side = m.where(e1_1 * a1 + e2_1 * a2 + e3_1 * a3 < 0, -1, 1)
     ss1 = e1_1 * e1_1 + e2_1 * e2_1 + e3_1 * e3_1
     still1 = ss1 == 0
-    root1 = m.sqrt(m.where(still1, 1 + ss1, ss1))
+    root1 = m.sqrt(m.where(still1, 1 + ss1, ss1)) + (ss1 - ss1)
     sine1 = m.where(apart, m.where(still1, ss1, side * root1), e1_1 * axis1 + e2_1 * axis2 + e3_1 * axis3)
     sign1 = m.where(apart, side, 1)
     half1 = m.atan2(sign1 * sine1, sign1 * e0_1)
     sst = e1 * e1 + e2 * e2 + e3 * e3
     stillt = sst == 0
-    roott = m.sqrt(m.where(stillt, 1 + sst, sst))
+    roott = m.sqrt(m.where(stillt, 1 + sst, sst)) + (sst - sst)
     sinet = m.where(apart, m.where(stillt, sst, side * roott), e1 * axis1 + e2 * axis2 + e3 * axis3)
     halft = m.atan2(sign1 * sinet, sign1 * e0)
     halft_by_2 = 2 * halft

@@ -385,7 +385,7 @@ CHART = Chart(
         _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _coefficient_of, _followed,
     ),
     kernels=SHARED,
-    programs="f8750bf607bd5670",
+    programs="e831b43f945ff76f",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -211,7 +211,7 @@ CHART = Chart(
         _unfolded, _reached, _coefficient, _coefficient_of, _followed,
     ),
     kernels=SHARED,
-    programs="2f7a4b438711d51c",
+    programs="fcd2579264712ae1",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -286,7 +286,7 @@ CHART = Chart(
         _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _coefficient_of, _followed,
     ),
     kernels=SHARED,
-    programs="22530958b8af74fa",
+    programs="29e403dda42ba4a1",
 )
 
 KERNELS = PoseKernels(CHART)

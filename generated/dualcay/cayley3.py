@@ -374,7 +374,7 @@ CHART = Chart(
         _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _coefficient_of, _followed,
     ),
     kernels=SHARED,
-    programs="1b9fac9c504194bb",
+    programs="187a605dee02c18f",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -397,7 +397,7 @@ CHART = Chart(
         _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _coefficient_of, _followed,
     ),
     kernels=SHARED,
-    programs="c655969e6ce2c610",
+    programs="fa9188d9d9c9c7f7",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -391,7 +391,7 @@ CHART = Chart(
         _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _coefficient_of, _followed,
     ),
     kernels=SHARED,
-    programs="0abcd1cf4227dc47",
+    programs="043763b7d6f168f0",
 )
 
 KERNELS = PoseKernels(CHART)

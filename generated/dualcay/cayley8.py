@@ -414,7 +414,7 @@ CHART = Chart(
         _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _coefficient_of, _followed,
     ),
     kernels=SHARED,
-    programs="5fd13df3fc85d9f0",
+    programs="7bbc93cb259ff177",
 )
 
 KERNELS = PoseKernels(CHART)

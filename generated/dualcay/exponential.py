@@ -420,7 +420,7 @@ CHART = Chart(
         _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _coefficient_of, _followed,
     ),
     kernels=SHARED,
-    programs="c7d01e58786702c7",
+    programs="68724f2147d8fff9",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -340,7 +340,7 @@ CHART = Chart(
         _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _coefficient_of, _followed,
     ),
     kernels=SHARED,
-    programs="6f2895f1aa8e57c6",
+    programs="fc191ee2f650c8d8",
     ends=True,
 )
 

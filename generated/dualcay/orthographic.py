@@ -259,7 +259,7 @@ CHART = Chart(
         _unfolded, _reached, _coefficient, _coefficient_of, _followed,
     ),
     kernels=SHARED,
-    programs="1b5f033b592ad750",
+    programs="5d8bd26bafc65dd6",
     ends=True,
 )
 

@@ -33,7 +33,7 @@ from .cayley1 import CHART as BASE
 
 ORDER = 1
 
-CHART = multiple(BASE, __name__, 2, 1, constant=('pose_scalars', 'tangent_scalars', 'tangent_dot_scalars', 'inverse_scalars', 'inverse_at', 'tangent_inv_at', 'tangent_inv_scalars', 'tangent_inv_dot_scalars', 'ray', 'inside', 'followed'), programs="6c7642d6110ad678")
+CHART = multiple(BASE, __name__, 2, 1, constant=('pose_scalars', 'tangent_scalars', 'tangent_dot_scalars', 'inverse_scalars', 'inverse_at', 'tangent_inv_at', 'tangent_inv_scalars', 'tangent_inv_dot_scalars', 'ray', 'inside', 'followed'), programs="3ca3fe978a08d687")
 
 KERNELS = PoseKernels(CHART)
 # the functions of this module are the methods of KERNELS

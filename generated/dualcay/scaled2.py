@@ -33,7 +33,7 @@ from .cayley2 import CHART as BASE
 
 ORDER = 2
 
-CHART = multiple(BASE, __name__, 4, 1, constant=('inverse_scalars', 'inverse_at', 'tangent_inv_at', 'tangent_inv_scalars', 'tangent_inv_dot_scalars', 'ray', 'inside', 'followed'), programs="61fccc6e5ca824fd")
+CHART = multiple(BASE, __name__, 4, 1, constant=('inverse_scalars', 'inverse_at', 'tangent_inv_at', 'tangent_inv_scalars', 'tangent_inv_dot_scalars', 'ray', 'inside', 'followed'), programs="3eb6f45dec24fe77")
 
 KERNELS = PoseKernels(CHART)
 # the functions of this module are the methods of KERNELS

@@ -33,7 +33,7 @@ from .cayley3 import CHART as BASE
 
 ORDER = 3
 
-CHART = multiple(BASE, __name__, 6, 1, constant=('inside',), programs="6f25c60dde93d9fd")
+CHART = multiple(BASE, __name__, 6, 1, constant=('inside',), programs="725bc052733607e0")
 
 KERNELS = PoseKernels(CHART)
 # the functions of this module are the methods of KERNELS

@@ -33,7 +33,7 @@ from .cayley4 import CHART as BASE
 
 ORDER = 4
 
-CHART = multiple(BASE, __name__, 8, 1, constant=('inside',), programs="81cfb516291c7772")
+CHART = multiple(BASE, __name__, 8, 1, constant=('inside',), programs="2ee73e148d4f1ef7")
 
 KERNELS = PoseKernels(CHART)
 # the functions of this module are the methods of KERNELS

@@ -33,7 +33,7 @@ from .cayley5 import CHART as BASE
 
 ORDER = 5
 
-CHART = multiple(BASE, __name__, 10, 1, constant=('inside',), programs="7eb047dddd2575e9")
+CHART = multiple(BASE, __name__, 10, 1, constant=('inside',), programs="1284ab59161e6611")
 
 KERNELS = PoseKernels(CHART)
 # the functions of this module are the methods of KERNELS

@@ -384,7 +384,7 @@ CHART = Chart(
         _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _coefficient_of, _followed,
     ),
     kernels=SHARED,
-    programs="b4e84edb314d9be8",
+    programs="7d8beafd09fa5f5b",
     ends=True,
 )
 

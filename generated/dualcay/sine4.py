@@ -392,7 +392,7 @@ CHART = Chart(
         _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _coefficient_of, _followed,
     ),
     kernels=SHARED,
-    programs="7238388d05fad1ed",
+    programs="6599e6ef35576950",
     ends=True,
 )
 

@@ -213,8 +213,8 @@ class _Followed:
         trace, name = self.trace, self.trace.name
         ss = name("ss" + mark, q.vector.dot(q.vector))
         still = name("still" + mark, trace.equal(ss, 0))
-        # never take the root of 0: its infinite slope times 0 would spoil the gradient
-        root = name("root" + mark, trace.sqrt(trace.where(still, 1 + ss, ss)))
+        # never take the root of 0: its infinite slope times 0 would spoil the gradient; NaN where the square overflows
+        root = name("root" + mark, trace.sqrt(trace.where(still, 1 + ss, ss)) + (ss - ss))
         length = trace.where(still, ss, self.side * root)
         sine = name("sine" + mark, trace.where(self.apart, length, q.vector.dot(self.axis)))
         sign = name("sign" + mark, trace.where(self.apart, self.side, 1))

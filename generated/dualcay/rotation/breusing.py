@@ -22,7 +22,7 @@ from ._interface import RotationKernels
 
 ORDER = 2
 
-CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="232be5d28712cc61")
+CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="a88f624ffa862511")
 
 KERNELS = RotationKernels(CHART)
 # the functions of this module are the methods of KERNELS

@@ -22,7 +22,7 @@ from ._interface import RotationKernels
 
 ORDER = 1
 
-CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="6a7a32d99451c8c2")
+CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="27fb64bc50cdc4a0")
 
 KERNELS = RotationKernels(CHART)
 dcay = KERNELS.tangent

@@ -22,7 +22,7 @@ from ._interface import RotationKernels
 
 ORDER = 2
 
-CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="689c89ddac0bbee2")
+CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="9ef6db76063e6f9b")
 
 KERNELS = RotationKernels(CHART)
 dcay = KERNELS.tangent

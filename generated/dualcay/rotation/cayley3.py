@@ -22,7 +22,7 @@ from ._interface import RotationKernels
 
 ORDER = 3
 
-CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="55b58a4ebbd19442")
+CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="6b4ba4359047fefd")
 
 KERNELS = RotationKernels(CHART)
 dcay = KERNELS.tangent

@@ -22,7 +22,7 @@ from ._interface import RotationKernels
 
 ORDER = 4
 
-CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="2bfaf0ec3f32ac33")
+CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="ab55db0928e31724")
 
 KERNELS = RotationKernels(CHART)
 dcay = KERNELS.tangent

@@ -22,7 +22,7 @@ from ._interface import RotationKernels
 
 ORDER = 5
 
-CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="bf33377cbdfe91ed")
+CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="7b70bee3e3b50c2c")
 
 KERNELS = RotationKernels(CHART)
 dcay = KERNELS.tangent

@@ -22,7 +22,7 @@ from ._interface import RotationKernels
 
 ORDER = 8
 
-CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="59c63d88085f8e7e")
+CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="bafdb605c43c0816")
 
 KERNELS = RotationKernels(CHART)
 dcay = KERNELS.tangent

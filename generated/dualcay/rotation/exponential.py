@@ -22,7 +22,7 @@ from ._interface import RotationKernels
 
 ORDER = 1
 
-CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="fcaa1d6d0ccc76a3")
+CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="68cbcf7250396e49")
 
 KERNELS = RotationKernels(CHART)
 dexp = KERNELS.tangent

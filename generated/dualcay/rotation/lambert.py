@@ -22,7 +22,7 @@ from ._interface import RotationKernels
 
 ORDER = 2
 
-CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="21f463441580a0cf")
+CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="b4f24deff9b1a328")
 
 KERNELS = RotationKernels(CHART)
 # the functions of this module are the methods of KERNELS

@@ -22,7 +22,7 @@ from ._interface import RotationKernels
 
 ORDER = 1
 
-CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="e0ca86d4fb964de8")
+CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="eac380282596781f")
 
 KERNELS = RotationKernels(CHART)
 # the functions of this module are the methods of KERNELS

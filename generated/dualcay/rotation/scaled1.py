@@ -22,7 +22,7 @@ from ._interface import RotationKernels
 
 ORDER = 1
 
-CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="c89f5d02393e062d")
+CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="80a47dceed3094fa")
 
 KERNELS = RotationKernels(CHART)
 # the functions of this module are the methods of KERNELS

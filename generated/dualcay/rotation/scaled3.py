@@ -22,7 +22,7 @@ from ._interface import RotationKernels
 
 ORDER = 3
 
-CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="7a614f88e71a9720")
+CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="4ff13b43f17fabc6")
 
 KERNELS = RotationKernels(CHART)
 # the functions of this module are the methods of KERNELS

@@ -22,7 +22,7 @@ from ._interface import RotationKernels
 
 ORDER = 4
 
-CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="1532ce22043ebfbb")
+CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="174e903ea47ade56")
 
 KERNELS = RotationKernels(CHART)
 # the functions of this module are the methods of KERNELS

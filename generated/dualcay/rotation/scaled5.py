@@ -22,7 +22,7 @@ from ._interface import RotationKernels
 
 ORDER = 5
 
-CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="2653cdbe3a312413")
+CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="1f3c5b33cad1da4e")
 
 KERNELS = RotationKernels(CHART)
 # the functions of this module are the methods of KERNELS

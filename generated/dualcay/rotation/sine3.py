@@ -22,7 +22,7 @@ from ._interface import RotationKernels
 
 ORDER = 3
 
-CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="2e31c9144fee1884")
+CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="99ced81eaa2447cc")
 
 KERNELS = RotationKernels(CHART)
 # the functions of this module are the methods of KERNELS

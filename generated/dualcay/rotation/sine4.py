@@ -22,7 +22,7 @@ from ._interface import RotationKernels
 
 ORDER = 4
 
-CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="b3e9d8328e49d209")
+CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="76fd1b0f06a76904")
 
 KERNELS = RotationKernels(CHART)
 # the functions of this module are the methods of KERNELS

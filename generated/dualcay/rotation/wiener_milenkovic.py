@@ -22,7 +22,7 @@ from ._interface import RotationKernels
 
 ORDER = 2
 
-CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="226dff9819c9253f")
+CHART = replace(POSES, module=__name__, kernels=_geometry.KERNELS, programs="fd4fa47cd886c0fe")
 
 KERNELS = RotationKernels(CHART)
 # the functions of this module are the methods of KERNELS

@@ -120,7 +120,7 @@ NOWHERE = "/proc/self/fd/no/file.svg"  # root too can write nothing there
     [
         *((3, command, work, r"^dualcay: cannot write /proc/self/fd/no\S*: .+\n$") for command, work in (
             (f"generate -n 2 -o {NOWHERE}", "derive.codegen.build.prove"),
-            (f"verify -o {NOWHERE}", "derive.cli.verify._report"),
+            (f"verify -o {NOWHERE}", "derive.cli.verify._of_papers"),
             (f"verify --claim 1==1 -o {NOWHERE}", "derive.cli.verify.check_sheets"),
             (f"compare -n 2 --plot {NOWHERE}", "derive.pages.comparison.compared"),
             (f"show --what sheet -o {NOWHERE.replace('svg', 'html')}", "derive.pages.sheet_files.page"),

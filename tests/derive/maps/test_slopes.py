@@ -5,6 +5,7 @@ Proofs cover the formulas beyond, and the functions approximated by polynomials 
 
 from __future__ import annotations
 
+from functools import cached_property
 from typing import Any
 
 import mpmath
@@ -133,7 +134,8 @@ SQUARES = [17 + 0.07 * k for k in range(310)]
 class Lossy(ExponentialScalars):
     """Scalars without correction of the rounding error of the angle."""
 
-    def _bounded(self, left: float) -> float:
+    @cached_property
+    def _lost(self) -> float:
         return 0.0
 
 
