@@ -17,7 +17,8 @@ from ...algebra import Quaternion
 from ...algebra.element import NotExactError
 from ...algebra.first_principles import tensor_by_sandwich
 from ...algebra.matrix import shaped
-from ..language.printed import Number, Symbol, Term
+from ..language.matrices import entry, stacked
+from ..language.printed import Number, Symbol, Term, symbols
 from ..numbers.generators import Generators
 from ..numbers.kinds import KINDS, jet, sphere
 from ..numbers.signed import Bound
@@ -135,11 +136,20 @@ def _bound(part: Term) -> Iterator[tuple[str, Bound, Bound]]:
     a, b = part.arguments
     for inner, outer, is_upper in ((a, b, below), (b, a, not below)):
         end = _constant(outer)
-        subject = inner.arguments[0] if inner.arguments and inner.operator.name == "norm" else inner
+        subject = _of_length(inner.arguments[0]) if inner.arguments and inner.operator.name == "norm" else inner
         if end is not None and isinstance(subject, Symbol):
             least = -sympy.oo if subject is inner else -end
             if is_upper or subject is inner:  # a magnitude above a bound leaves two intervals
                 yield (subject.name, least, end) if is_upper else (subject.name, end, sympy.oo)
+
+
+def _of_length(subject: Term) -> Term:
+    """Return the twist of which a term is the first part, else the term."""
+    found = symbols(subject)
+    for letter in found:
+        if len(found) == 1 and subject == stacked(*(entry(letter, Number(i)) for i in (1, 2, 3))):
+            return letter
+    return subject
 
 
 def _constant(term: Term) -> Bound | None:
