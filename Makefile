@@ -37,7 +37,7 @@ check-kernels: $(READY)
 check-errata: $(READY)
 	$(RUN) -m derive verify --format markdown --data -o docs/errata.md --check
 
-check-field: $(READY)  ## fail if a formula in use is decided otherwise than docs/field.md says (a minute)
+check-field: $(READY)  ## fail if a formula in use is decided otherwise than docs/field.md says (minutes)
 	$(RUN) -m docs.pages.field -o docs/field.md --check
 
 check-theorems: $(READY)

@@ -25,7 +25,8 @@ ORDER = {
         "numbers", "language", "equation", "result", "deciding", "decide", "transcript", "sheet", "run", "report",
     ),
     "derive.claims.deciding": (
-        "claim", "constrained", "singular", "zeros", "places", "conditions", "regions", "changes", "proof", "finding",
+        "claim", "constrained", "singular", "zeros", "proof", "polar", "identity", "uphill", "places", "conditions",
+        "existence", "regions", "changes", "finding",
     ),
     "derive.papers.condurache_popa_2023": ("cp23_notation", "definitions", "sections"),
     "derive.codegen": (

@@ -43,11 +43,11 @@ def measured() -> dict[str, tuple[str, ...]]:
     scopes = Counter(theorem["scope"] for theorem in theorems)
     of_scope = (scopes.pop(ALL_ORDERS), scopes.pop(SCOPE), scopes.total())
     controls = sum(theorem["controls"] for theorem in theorems)
-    counts = re.findall(r"^\| \w+ \| (\d+) \| \d+ \| \d+ \| \d+ \| (\d+) \|$", read("docs/errata.md"), re.M)
+    counts = re.findall(r"^\| \w+ \| (\d+)(?: \| \d+)+ \| (\d+) \|$", read("docs/errata.md"), re.M)
     errata, entries = (sum(map(int, column)) for column in zip(*counts, strict=True))
     in_use = read("docs/field.md")
     documents = set(re.findall(r"^\| \[.+?\]\(#in-(\S+)\) \|", in_use, re.M)) - {*COLLECTIONS}
-    field = re.findall(r"^\| all \| (\d+) \| \d+ \| \d+ \| (\d+) \|", in_use, re.M)[0]
+    field = re.findall(r"^\| all \| (\d+) \| \d+ \| \d+ \| \d+ \| (\d+) \|", in_use, re.M)[0]
     return {
         "speed": (*numbers(speed.figures(times.read())),),
         "accuracy": accuracy.groups(),

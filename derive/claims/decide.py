@@ -42,7 +42,7 @@ def decide(
     findings = [_settled(claim, lambda finding: early(result(finding))) for claim in claims]
     found = result(*findings)
     early(found)
-    if not entry.of_file or found.status not in (Status.FALSE, Status.HOLDS, Status.HOLDS_IF):
+    if not entry.of_file or found.status in (Status.UNDECIDED, Status.ERRATUM, Status.AMBIGUOUS):
         return found
     ((claim, finding),) = zip(claims, findings, strict=True)
     if finding.holds:

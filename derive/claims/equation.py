@@ -6,8 +6,8 @@ the computed status:
 * readings are listed by hand, the most charitable first. Apart from lost characters, each equals the extracted text;
 * every reading is evaluated over balls at points, with special values of every symbol. One failure refutes it;
 * a reading without failure is then proved at generic values of an exact field, for symbolic n if n occurs. If no exact
-  field is suitable, the points are only evidence, and the method says so;
-* ``holds``: a listed reading is true at all points. ``holds-if``: a listed reading is true under the entry's condition
+  field is suitable, it is ``unrefuted``: the points are only evidence;
+* ``holds``: a listed reading is proved. ``holds-if``: a listed reading is true under the entry's condition
   and fails somewhere outside it; both sides are tested. ``erratum``: no listed reading is true, and the correction is.
   ``ambiguous``: one reading is true, another is false, and the text does not decide between them.
 

@@ -19,6 +19,7 @@ class Status(StrEnum):
 
     HOLDS = "holds"
     HOLDS_IF = "holds-if"
+    UNREFUTED = "unrefuted"
     FALSE = "false"
     ERRATUM = "erratum"
     AMBIGUOUS = "ambiguous"
@@ -68,7 +69,7 @@ class Result(Typeset):
     verdicts: tuple[Verdict, ...]  # one for each listed reading, true ones first
     exact: bool = False  # whether the denominators show that the condition is sharp, not only sufficient
     # further fields of claims whose condition is found
-    certainty: str = ""  # "exact" or "evidence"
+    certainty: str = ""  # "exact", "modulo a prime", or "evidence" of points alone
     points: int = 0  # points evaluated inside the domain
     found: str = ""  # condition in the form of claims
     outside: Counterexample | None = None  # point outside the condition

@@ -134,7 +134,7 @@ def list_catalogue() -> None:
 @click.option("-o", "output", type=options.Place(dir_okay=False), help="File to write; else stdout.")
 @click.option("--data", "beside", is_flag=True, help="Write the facts too, beside the file of -o, with ending .json.")
 @click.option("--check", is_flag=True, help="Write nothing; exit 1 if a file is not what would be written.")
-@click.option("--strict", is_flag=True, help="Exit 1 for a false or undecided equation too.")
+@click.option("--strict", is_flag=True, help="Exit 1 for an equation that is false or not proved too.")
 @options.max_n
 def verify(**given: Any) -> None:
     """Decide every equation of the papers, of files, or one claim: true, true where, or false and how to mend it."""

@@ -21,7 +21,7 @@ from ..output import files, pages
 from ..output.shown import columns
 from . import display, options
 
-WRONG = (Status.ERRATUM, Status.FALSE, Status.UNDECIDED)
+WRONG = (Status.ERRATUM, Status.FALSE, Status.UNDECIDED, Status.UNREFUTED)
 """Statuses for which --strict exits with 1."""
 
 

@@ -69,13 +69,13 @@ def page(library: Sequence[Document]) -> str:
     every = [(of, result) for of in library for result in of.results]
     scores = Counter(of.score(result) for of, result in every)
     code = [(of, result) for of, result in every if of.on(result).get("switch")]
-    undecided = [(of, result) for of, result in every if result.status is Status.UNDECIDED]
     lines = [HEAD.format(count=len(every)), *_counts(library), WRONG_HEAD]
     for of in library:
         if of.count(*WRONG):
             lines += [f"### {of.short}\n", *(line for r in of.results if r.status in WRONG for line in _wrong(of, r))]
-    if undecided:
-        lines += ["## Undecided\n", *(f"- {_link(of, result)}: {result.method}" for of, result in undecided)]
+    for status, head in ((Status.UNREFUTED, "True at all points, and not proved"), (Status.UNDECIDED, "Undecided")):
+        if found := [(of, result) for of, result in every if result.status is status]:
+            lines += [f"## {head}\n", *(f"- {_link(of, result)}: {result.method}" for of, result in found)]
     lines += [CODE_HEAD, *(line for of, result in code for line in _switches(of, result))]
     lines.append(SCORE_HEAD.format(found=scores["found"], missed=scores["missed"], alarms=scores["false alarm"]))
     lines += [f"| {_thread(of.on(r)['report'])} | {_link(of, r)} | {of.score(r)} |" for of, r in every if of.score(r)]
@@ -90,9 +90,10 @@ def _in_lines(bibtex: str) -> str:
 
 
 def _counts(library: Sequence[Document]) -> Iterator[str]:
-    """Yield the table of documents: what is true, true with a condition, wrong and undecided."""
-    yield "| document | equations | true | conditions | wrong | undecided |\n|---|--:|--:|--:|--:|--:|"
-    kinds = ((Status.HOLDS,), (Status.HOLDS_IF,), WRONG, (Status.UNDECIDED,))
+    """Yield the table of documents: what is proved, proved with a condition, unrefuted, wrong and undecided."""
+    yield "| document | equations | proved | conditions | unrefuted | wrong | undecided |"
+    yield "|---|--:|--:|--:|--:|--:|--:|"
+    kinds = ((Status.HOLDS,), (Status.HOLDS_IF,), (Status.UNREFUTED,), WRONG, (Status.UNDECIDED,))
     for of in sorted(library, key=lambda of: of.slug in COLLECTIONS):
         numbers = [len(of.results), *(of.count(*statuses) for statuses in kinds)]
         yield f"| [{of.short}](#in-{of.slug}) | {' | '.join(map(str, numbers))} |"

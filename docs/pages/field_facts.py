@@ -17,6 +17,7 @@ from derive.output.pages import json_rows
 from derive.output.shown import no_op
 
 LIBRARY = Path(__file__).parents[2] / "derive" / "papers" / "field"
+OPEN = (Status.UNDECIDED, Status.UNREFUTED)
 TRUE, WRONG = (Status.HOLDS, Status.HOLDS_IF), (Status.FALSE, Status.ERRATUM)
 COLLECTIONS = ("code-alone", "reports")
 """Files that are no document: formulas of code, and formulas that readers reported."""
@@ -134,7 +135,7 @@ def facts(of: Document, result: Result) -> dict[str, Any]:
     entry, place = result.equation, of.place(result)
     further = {
         "repository": place.repository, "at": entry.at, "printed": entry.printed, "certainty": result.certainty,
-        "domain": result.domain, "undecided": result.method if result.status is Status.UNDECIDED else "",
+        "domain": result.domain, "undecided": result.method if result.status in OPEN else "",
         "remark": entry.remark, "score": of.score(result),
         **{key: of.on(result).get(key) for key in ("error", "report", "code", "switch")},
     }  # fmt: skip

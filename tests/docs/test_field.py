@@ -115,7 +115,7 @@ def test_what_takes_too_long_is_on_the_page_and_the_run_goes_on(
     assert field.main(["-o", str(tmp_path / "field.md"), "--seconds", "1"]) == 0
     text = (tmp_path / "field.md").read_text(encoding="utf-8")
     assert "[small 2](#in-small): not decided within 1 s of processor time" in text
-    assert "| [Two formulas](#in-small) | 2 | 1 | 0 | 0 | 1 |" in text
+    assert "| [Two formulas](#in-small) | 2 | 1 | 0 | 0 | 0 | 1 |" in text
 
 
 def test_an_unreadable_formula_is_refused_before_any_is_decided(

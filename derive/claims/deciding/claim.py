@@ -3,22 +3,24 @@
 from __future__ import annotations
 
 import random
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from functools import cached_property
+from itertools import chain
 from typing import Any
 
 from ...algebra import Dual, Structure
 from ...algebra.element import NotExactError
 from ..equation import Entry
 from ..language.environment import Env
-from ..language.operator_table import both, epsilon, equal
-from ..language.printed import Symbol, Term, Trait, rate_depth, symbols, walk, with_trait
+from ..language.operator_table import both, cos, epsilon, equal, negated, sin
+from ..language.printed import Apply, Number, Symbol, Term, Trait, rate_depth, symbols, walk, with_trait
 from ..numbers.balls import PRECISIONS, Ball, Balls, BlurredError, arb, precision
-from ..numbers.fields import Field
+from ..numbers.fields import Constants, Field
 from ..numbers.kinds import BRANCH, KINDS, ORDER, SIGN, Kind, Numbers, jet
 
+RELATIONS = frozenset(("less", "at most", "greater", "at least", "unlike", "equal", "nonzero"))
 RATES_MAX = 2
 """Highest order of a time derivative for which letters have rates."""
 FURTHER = tuple(map(Fraction, (-3, -2, -1, 1, 2, 3)))
@@ -47,6 +49,13 @@ class Place:
     parts: Mapping[Symbol, Numbers] = field(default_factory=dict)  # dual parts and rates, if not by a fixed seed
     values: Mapping[Symbol, Any] = field(default_factory=dict)  # values that coordinates do not reach
     pair: bool = False
+    zero: Term | None = None  # number that certainly vanishes somewhere in the balls of the coordinates
+
+    @property
+    def exact(self) -> bool:
+        """Whether all numbers are rational."""
+        rows = chain(((c if isinstance(c, Iterable) else (c,)) for c in self.at.values()), self.parts.values())
+        return not self.values and all(isinstance(c, int | Fraction) for row in rows for c in row)
 
 
 @dataclass(frozen=True)
@@ -111,7 +120,7 @@ class Claim:
         values: dict[Symbol, Any] = {a: value for a, value in place.at.items() if a not in self.coordinates}
         for letter in self.coordinates:
             values[letter] = self.value(letter, place, field)
-        balls = Balls(lenient=not self.entry.of_file)
+        balls = Balls(loose=not self.entry.of_file)  # an entry in Python states its condition
         values |= {a: _lifted(value) for a, value in place.values.items()}
         return Env(field or balls, values, self.entry.definitions, self.dual, self.depth)
 
@@ -161,9 +170,20 @@ class Claim:
     def truth(self, place: Place, statement: Term | None = None) -> bool | None:
         """Return whether the claim, or another statement, is true at a point; None where it has no value.
 
-        Raise `BlurredError` if even the second precision does not tell.
+        Raise `BlurredError` if neither the second precision, nor exact numbers, nor a certain zero tell.
         """
-        found: bool | None = self.evaluated(place, self.statement if statement is None else statement, bool)
+        part = self.statement if statement is None else statement
+        try:
+            found: bool | None = self.evaluated(place, part, bool)
+        except BlurredError:
+            field = Constants() if place.exact else Balls(loose=True) if place.zero in _related(part) else None
+            if field is None:
+                raise
+            try:
+                with precision(PRECISIONS[0]):
+                    return bool(self.env(place, field).value(part))
+            except (ArithmeticError, TypeError, AttributeError) as error:
+                raise BlurredError from error
         return found
 
     def evaluated(self, place: Place, part: Term, form: Any = lambda a: a) -> Any:
@@ -175,16 +195,31 @@ class Claim:
                 except NotExactError:
                     raise
                 except ArithmeticError:
-                    return None
+                    if bits == PRECISIONS[-1] or not place.exact:  # else a number may only be too near 0
+                        return None
                 except BlurredError:
                     continue
         raise BlurredError
 
     def inside(self, place: Place) -> bool:
-        return self.entry.claimed is None or bool(self.truth(place, self.entry.claimed))
+        """Return whether a point lies in the stated domain; an overlap of balls tells only of a point moved there."""
+        domain = self.entry.claimed
+        if domain is None:
+            return True
+        certain = place.exact or not self.constraints
+        return bool(self.truth(place, negated(negated(domain)) if certain else domain))
 
     def with_statement(self, statement: Term) -> Claim:
         return replace(self, statement=statement)
+
+
+def _related(statement: Term) -> tuple[Term, ...]:
+    """Return the difference of both sides of a statement's only relation, which decides it; else nothing."""
+    relations = [node for node in walk(statement) if node.operator.name in RELATIONS]
+    if len(relations) != 1:
+        return ()
+    a, *rest = relations[0].arguments
+    return (bare(a if not rest or rest[0] == Number(0) else a - rest[0]),)
 
 
 def kind(letter: Symbol) -> Kind:
@@ -207,3 +242,36 @@ def _equations(domain: Term) -> Iterator[Term]:
 
 def operators(*statements: Term) -> set[str]:
     return {node.operator.name for statement in statements for node in walk(statement)}
+
+
+def bare(part: Term) -> Term:
+    """Return a part without signs, brackets, powers, magnitudes and divisors, which vanishes at the same points."""
+    part = _quotient(part)[0]
+    name, arguments = part.operator.name, part.arguments
+    power = name == "power" and isinstance(arguments[1], Number) and arguments[1].value > 0
+    return bare(arguments[0]) if power or name in ("negative", "bracket", "norm", "root", "Re") else part
+
+
+def _quotient(part: Term) -> tuple[Term, Term | None]:
+    """Return a term as numerator and divisor; without a divisor the term itself and None."""
+    name, arguments = part.operator.name, part.arguments
+    if name in ("tan", "cot"):
+        above, below = (sin, cos) if name == "tan" else (cos, sin)
+        return above(*arguments), below(*arguments)
+    if name not in ("plus", "minus", "times", "over", "negative", "bracket"):
+        return part, None
+    (a, b), *rest = map(_quotient, arguments)
+    if not rest:
+        return (part, None) if b is None else (-a if name == "negative" else a, b)
+    ((c, d),) = rest
+    if name == "over":
+        return _product(a, d), _product(c, b)
+    if b is None and d is None:
+        return part, None
+    if name == "times":
+        return Apply("times", a, c), _product(b, d)
+    return Apply(name, _product(a, d), _product(c, b)), _product(b, d)
+
+
+def _product(a: Term | None, b: Term | None) -> Any:
+    return b if a is None else a if b is None else a * b

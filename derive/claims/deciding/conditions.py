@@ -9,6 +9,7 @@ from fractions import Fraction
 from ...algebra import Structure, Tensor
 from ...algebra.matrix import Matrix
 from ..language.environment import Env
+from ..language.matrices import at_least, at_most, greater, unlike
 from ..language.operations import written
 from ..language.operator_table import Re, cos, det, nonzero, norm, over, remark, sin, trace
 from ..language.printed import Number, Term, Trait, symbols
@@ -26,6 +27,13 @@ class Exclusion:
 
     subject: Term
     relation: str
+
+    @property
+    def term(self) -> Term | None:
+        """The requirement as a statement, if it is a relation."""
+        sign, _, number = self.relation.partition(" ")
+        relation = {"!=": unlike, ">=": at_least, ">": greater, "<=": at_most}.get(sign)
+        return None if relation is None else relation(self.subject, Number(int(number)))
 
     def __str__(self) -> str:
         if self.relation == "has a value":

@@ -44,7 +44,16 @@ def onto(claim: Claim, place: Place) -> Place | None:
             x = _solved(left, start())
         except (ArithmeticError, BlurredError):
             return None
-        return None if x is None else moved(_wide(x))
+        if x is None:
+            return None
+        found = moved(_wide(x))
+        return found if found.exact or _is_regular(left, x) else None
+
+
+def _is_regular(left: Any, x: list[Any]) -> bool:
+    """Return whether each difference has a slope at a point, so that small differences show a zero beside it."""
+    rows = _slopes(left, x, left([Ball(c) for c in x]))
+    return all(any(abs(slope) > flint.arb(2) ** -KEPT for slope in column) for column in zip(*rows, strict=True))
 
 
 def touching(claim: Claim, place: Place, part: Term, size: Callable[[Any], Any]) -> Place | None:

@@ -20,6 +20,7 @@ from ...algebra.element import Element, NotExactError
 from ...algebra.structures import MeaninglessError
 from ..language import operator_table
 from ..language.environment import Env
+from ..language.operations import written
 from ..language.printed import Term, Trait, latex, with_trait
 from ..language.values import Either, coefficients, equal
 from ..numbers.balls import Ball, BlurredError, precision
@@ -27,6 +28,8 @@ from ..numbers.fields import Exact
 from ..result import Counterexample, Status
 from .claim import Claim, Place, RefusedError, operators
 from .conditions import exclusions, is_sharp, plain
+from .existence import ordered, undecided_parts
+from .identity import MODULO, identical
 from .places import Probe, places
 from .proof import ContradictionError, proved
 from .regions import REGION_MIN, Region, branched, region
@@ -82,6 +85,8 @@ def _numbers(value: Any) -> list[str]:
     return [str(a) for a in found] if all(isinstance(a, int | Fraction | Ball) for a in found) else []
 
 
+SHOWN = 3
+"""Largest number of parts without a proof that are named."""
 POINTS_MIN = 6
 """Least number of points at which a claim is called true."""
 
@@ -131,10 +136,12 @@ class Finding:
     failing: Place | None = None  # where the claim is false
     outside: Place | None = None  # where it has no value, or is on another branch
     true: tuple[Place, ...] = ()
+    needed: tuple[Term, ...] = ()  # requirements of the condition, as statements
+    within: Region | None = None  # region of the condition
 
     @property
     def holds(self) -> bool:
-        return self.status in (Status.HOLDS, Status.HOLDS_IF)
+        return self.status in (Status.HOLDS, Status.HOLDS_IF, Status.UNREFUTED)
 
 
 def decided(claim: Claim, early: Callable[[Finding], None] = lambda finding: None) -> Finding:
@@ -143,23 +150,37 @@ def decided(claim: Claim, early: Callable[[Finding], None] = lambda finding: Non
         if not claim.entry.of_file:
             return _in_python(claim)
         finding = _at_points(claim)
-        if not finding.holds or finding.cuts or not ORDERED.isdisjoint(operators(claim.statement)):
-            return finding  # generic values tell nothing of an order or of a branch
-        early(finding)
-        return _strengthened(finding, proved(claim))
+        if not finding.holds:
+            return finding
+        early(_unproved(finding, ""))
+        return _with_proof(claim, finding)
     except (RefusedError, ContradictionError) as error:
         return Finding(Status.UNDECIDED, str(error))
     except (MeaninglessError, NotExactError, RecursionError, OverflowError) as error:
         return Finding(Status.UNDECIDED, f"it cannot be evaluated: {error}")
 
 
-def _strengthened(finding: Finding, exact: str | None) -> Finding:
-    """Return a decision at points with its proof, which may be for some orders only."""
-    if exact is None:
-        return finding
-    if exact in ("exact", "exact, all n"):
-        return replace(finding, method=exact, certainty="exact")
-    return replace(finding, method=f"{exact}; {finding.method}")
+def _with_proof(claim: Claim, finding: Finding) -> Finding:
+    """Return a decision at points with its proof: of the statement, then of the values of both sides."""
+    within = claim if finding.within is None else finding.within.inside(claim)
+    if not ORDERED.isdisjoint(operators(claim.statement)):
+        how = "exact" if not finding.cuts and ordered(claim) else None
+    else:
+        how = (proved(within) if within is claim else None) or identical(within)
+    if how is None:
+        return _unproved(finding, "")
+    if without := undecided_parts(within, finding.needed):
+        shown = ", ".join(dict.fromkeys(written(claim.entry.contracted(part)) for part in without[:SHOWN]))
+        return _unproved(finding, f"{how} where both sides have a value, which is open for {shown}")
+    if not how.startswith(("exact", MODULO)) or (how.startswith("exact, n =")):
+        how = f"{how}; {finding.method}"
+    return replace(finding, method=how, certainty=MODULO if how.startswith(MODULO) else "exact")
+
+
+def _unproved(finding: Finding, known: str) -> Finding:
+    """Return the decision of a claim that is true at all points and not proved."""
+    method = "; ".join(filter(None, (known, finding.method)))
+    return replace(finding, status=Status.UNREFUTED, method=method, certainty="evidence")
 
 
 def _at_points(claim: Claim) -> Finding:
@@ -189,16 +210,24 @@ def _at_points(claim: Claim) -> Finding:
             method = f"refuted at {at.false[0].label}"
             return Finding(Status.FALSE, method, at.points, "exact", cuts=cuts * choosing, failing=at.false[0])
     condition, outside = _condition(probe, at, within)
-    method = f"evidence: {at.points} points" + f", {at.blurred} more too close to tell" * bool(at.blurred)
+    method = f"true at {at.points} points" + f", {at.blurred} more too close to tell" * bool(at.blurred)
     status = Status.HOLDS_IF if condition else Status.HOLDS
-    return Finding(status, method, at.points, "evidence", condition, cuts, None, outside, tuple(at.true))
+    asked = tuple(term for one in exclusions(claim, _inside(at, within)) if (term := one.term) is not None)
+    if within is not None and within.strict in condition:
+        asked = (*asked, *within.interior)
+    return Finding(
+        status, method, at.points, "evidence", condition, cuts, None, outside, tuple(at.true), asked, within
+    )  # fmt: skip
+
+
+def _inside(at: Outcome, within: Region | None) -> list[Place]:
+    return [place for place in at.undefined if within is None or within.test(place)]
 
 
 def _condition(probe: Probe, at: Outcome, within: Region | None) -> tuple[str, Place | None]:
     """Return the condition under which a claim is true, in words, and a point outside it."""
-    inside = [place for place in at.undefined if within is None or within.test(place)]
     border = within is not None and any(within.test(place) is None for place in at.undefined)
-    found = exclusions(probe.claim, inside)
+    found = exclusions(probe.claim, _inside(at, within))
     parts = [within.strict if border else within.words] if within else []
     words = " and ".join(dict.fromkeys([*parts, *(plain(probe, requirement) for requirement in found)]))
     return words, next(iter((*found.values(), *at.undefined, *at.false)), None)
@@ -224,10 +253,13 @@ def _in_python(claim: Claim) -> Finding:
         return Finding(Status.UNDECIDED, f"no point on {sides} of its domain")
     if wrong := _contradicted(claim, beyond):
         return Finding(Status.UNDECIDED, wrong)
-    method = _method(claim, proved(claim), at.points)
+    exact = proved(claim)
+    method = _method(claim, exact, at.points)
     if beyond.true:
         method += f"; also true at {beyond.true[0].label}"
     status = Status.HOLDS if entry.condition is None else Status.HOLDS_IF
+    if exact is None and not entry.argument:
+        status = Status.UNREFUTED
     return Finding(status, method, at.points, true=tuple(at.true))
 
 

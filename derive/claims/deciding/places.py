@@ -16,9 +16,10 @@ from ..language.operations import written
 from ..language.printed import Symbol, Term, symbols
 from ..numbers.balls import BlurredError
 from ..numbers.kinds import ORDER, SIGN, Kind, Numbers, special
-from .claim import Claim, Place, kind, operators
+from .claim import Claim, Place, bare, kind, operators
 from .constrained import onto, touching
-from .singular import ABSENT, ORDERED, Singular, bare, is_integer, singular, size
+from .singular import ABSENT, ORDERED, Singular, is_integer, singular, size
+from .uphill import Uphill
 from .zeros import Line, at_integers, crossed, lines
 
 SHORT = tuple(map(Fraction, (1, 2, -1, 3, -2)))
@@ -148,7 +149,7 @@ class Probe:
             ]  # fmt: skip
         else:
             stages = [self._short(), self._generic(), self._wide(), self._far(), self._special(), self._related(),
-                      self._zeros(), self._pairs()]  # fmt: skip
+                      self._rates(), Uphill(self.claim).places(self.drawn()), self._zeros(), self._pairs()]  # fmt: skip
         for place in chain.from_iterable(stages):
             yield replace(place, label=f"{self.label}{place.label}") if self.label else place
 
@@ -189,6 +190,14 @@ class Probe:
         origin = {a: special(kind(a))["0"] for a in self.claim.coordinates if "0" in special(kind(a))}
         if len(origin) > 1:
             yield Place(f"{', '.join(a.name for a in origin)} = 0", {**self.drawn(), **origin}, pair=True)
+
+    def _rates(self) -> Iterator[Place]:
+        """Yield dual parts and rates of other sizes: all 0, fractions, and large ones."""
+        counts = {a: len(self.claim.further(a, Place("", {}))) for a in self.claim.coordinates}
+        for label, scale in (("at rest", 0), ("slow", Fraction(1, 7)), ("fast", Fraction(1001, 3))):
+            parts = {a: [scale * self.random.choice(SHORT) for _ in range(n)] for a, n in counts.items() if n}
+            if parts:
+                yield Place(label, self.drawn(), parts=parts)
 
     def _pairs(self) -> Iterator[Place]:
         pairs = [(one, two) for one, two in combinations(self._specials, 2) if one[0] != two[0]]

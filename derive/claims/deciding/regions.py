@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
-from functools import partial
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from functools import partial, reduce
 from itertools import combinations, product
 from typing import Any
 
-from ..language.matrices import entry, stacked
+from ..language.matrices import at_least, at_most, entry, greater, less, stacked
 from ..language.operations import written
-from ..language.operator_table import conjugate, norm, trace
+from ..language.operator_table import both, conjugate, norm, pi, trace
 from ..language.printed import Number, Symbol, Term, Trait, symbols, walk
 from ..numbers.balls import Ball, Balls, BlurredError, arb
 from ..numbers.fields import innermost
@@ -35,6 +36,17 @@ class Region:
 
     words: str
     test: Test
+    terms: tuple[Term, ...]
+
+    @property
+    def interior(self) -> tuple[Term, ...]:
+        """Relations without the border."""
+        return tuple((less if term.operator is at_most else greater)(*term.arguments) for term in self.terms)
+
+    def inside(self, claim: Claim) -> Claim:
+        """Return the claim with the region as part of its stated domain."""
+        stated = () if claim.entry.claimed is None else (claim.entry.claimed,)
+        return replace(claim, entry=replace(claim.entry, claimed=reduce(both, (*stated, *self.terms))))
 
     @property
     def strict(self) -> str:
@@ -82,7 +94,7 @@ def _candidates(claim: Claim, number: Read) -> Iterator[Region]:
     own = [_between(part, *bound, number) for part in sizes if _is_number(claim, part) for bound in _BOUNDS]
     pairs = [*combinations(signs[:16], 2), *product(signs[:16], own), *combinations(own, 2)]
     for one, two in pairs:
-        yield Region(f"{one.words} and {two.words}", partial(_both, one.test, two.test))
+        yield Region(f"{one.words} and {two.words}", partial(_both, one.test, two.test), (*one.terms, *two.terms))
 
 
 def _sizes(letter: Symbol) -> list[Term]:
@@ -130,7 +142,8 @@ def _sign(part: Term, relation: str, number: Read) -> Region:
             return None
         return bool(value > 0) == (relation == ">= 0")
 
-    return Region(f"{written(part)} {relation}", test)
+    term = (at_least if relation == ">= 0" else at_most)(part, Number(0))
+    return Region(f"{written(part)} {relation}", test, (term,))
 
 
 def _between(part: Term, low: float | None, high: float, words: str, number: Read) -> Region:
@@ -147,7 +160,13 @@ def _between(part: Term, low: float | None, high: float, words: str, number: Rea
     shown = written(part)
     if part.operator is norm:
         words = words.replace("norm({0})", "{0}").replace("0 <= {0} and ", "")
-    return Region(words.format(shown), test)
+    ends = [at_most(part, _turns_of_pi(high)), *([] if low is None else [at_least(part, _turns_of_pi(low))])]
+    return Region(words.format(shown), test, tuple(ends))
+
+
+def _turns_of_pi(count: float) -> Term:
+    number = Fraction(count)
+    return Number(number.numerator) * pi / Number(number.denominator)
 
 
 def _both(first: Test, second: Test, place: Place) -> bool | None:

@@ -12,11 +12,11 @@ from typing import Any
 
 from ...algebra import Quaternion, Structure, Tensor, Vector, matrix
 from ..language.operator_table import cos, sin
-from ..language.printed import Apply, Number, Symbol, Term, symbols, walk
+from ..language.printed import Number, Symbol, Term, symbols, walk
 from ..numbers.balls import BlurredError, arb
 from ..numbers.fields import innermost
 from ..numbers.kinds import ORDER, SIGN
-from .claim import Claim, Place, kind
+from .claim import Claim, Place, bare, kind
 
 ORDERED = frozenset(("less", "at most", "greater", "at least", "unlike"))
 """Operators of inequalities."""
@@ -89,39 +89,6 @@ def _asserted(statement: Term) -> Iterator[Term]:
     if statement.operator.name in ("both", "remark"):
         for part in statement.arguments:
             yield from _asserted(part)
-
-
-def bare(part: Term) -> Term:
-    """Return a part without signs, brackets, powers, magnitudes and divisors, which vanishes at the same points."""
-    part = _quotient(part)[0]
-    name, arguments = part.operator.name, part.arguments
-    power = name == "power" and isinstance(arguments[1], Number) and arguments[1].value > 0
-    return bare(arguments[0]) if power or name in ("negative", "bracket", "norm", "root", "Re") else part
-
-
-def _quotient(part: Term) -> tuple[Term, Term | None]:
-    """Return a term as numerator and divisor; without a divisor the term itself and None."""
-    name, arguments = part.operator.name, part.arguments
-    if name in ("tan", "cot"):
-        above, below = (sin, cos) if name == "tan" else (cos, sin)
-        return above(*arguments), below(*arguments)
-    if name not in ("plus", "minus", "times", "over", "negative", "bracket"):
-        return part, None
-    (a, b), *rest = map(_quotient, arguments)
-    if not rest:
-        return (part, None) if b is None else (-a if name == "negative" else a, b)
-    ((c, d),) = rest
-    if name == "over":
-        return _product(a, d), _product(c, b)
-    if b is None and d is None:
-        return part, None
-    if name == "times":
-        return Apply("times", a, c), _product(b, d)
-    return Apply(name, _product(a, d), _product(c, b)), _product(b, d)
-
-
-def _product(a: Term | None, b: Term | None) -> Any:
-    return b if a is None else a if b is None else a * b
 
 
 def _beyond_one(value: Any) -> Any:

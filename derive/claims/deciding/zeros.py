@@ -105,7 +105,7 @@ class Line:
                 place, near = f"{self.shown} = {named(float(t))}", NEAR * (1 + abs(Ball(t)))
                 exact = (t * 4).is_integer()
                 on = Ball(t if exact else flint.arb(t, flint.arb(2) ** -WIDTH))
-                found.append(Place(place, self.point(on), on=place))
+                found.append(enclosing(part, self.claim, Place(place, self.point(on), on=place), t, self.point))
                 narrow = [near, near * NEAR] if self.claim.entry.claimed is not None else [near]
                 beside = [b for d in narrow for b in (Ball(t) - d, Ball(t) + d) if not (self.one_sided and b < 0)]
                 found += [Place(f"beside {place}", self.point(b)) for b in beside]
@@ -214,7 +214,19 @@ def crossed(claim: Claim, part: Singular, one: Place, other: Place) -> Place | N
         f = None if t is None else value(Ball(t))
         if f is None or not abs(f) < flint.arb(2) ** -WIDTH:
             return None
-        return at(Ball(flint.arb(t, flint.arb(2) ** -WIDTH)))
+        return enclosing(part, claim, at(Ball(flint.arb(t, flint.arb(2) ** -WIDTH))), t, lambda t: at(t).at)
+
+
+def enclosing(part: Singular, claim: Claim, place: Place, t: Any, at: Callable[[Any], Any]) -> Place:
+    """Return a place with the part that certainly vanishes there: it has opposite signs at both ends, and no pole."""
+    width = flint.arb(2) ** -WIDTH
+    try:
+        ends = (t - width, flint.arb(t, width), t + width)
+        low, on, high = (part.number(claim, replace(place, at=at(Ball(c)))) for c in ends)
+    except ABSENT:
+        return place
+    crosses = (low < 0 and high > 0) or (low > 0 and high < 0)
+    return replace(place, zero=part.part) if crosses and on.is_finite() else place
 
 
 def at_integers(claim: Claim, part: Singular, letter: Symbol, at: dict[Symbol, Any]) -> Iterator[Place]:

@@ -57,6 +57,11 @@ class Env:
             return operator.value(self, *statement.arguments)
         return operator.value(self, *(self.value(argument) for argument in statement.arguments))
 
+    @property
+    def certain(self) -> Env:
+        """The environment in which relations decide against a claim: for premises and negations."""
+        return dataclasses.replace(self, field=self.field.certain)
+
     def bound(self, index: Symbol | Term, value: Any) -> Env:
         """Return a copy of the environment in which one more symbol, such as a summation index, has a value."""
         if not isinstance(index, Symbol):

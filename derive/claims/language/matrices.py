@@ -199,7 +199,7 @@ log = define("log", r"\log {0}", "log({0})", PRODUCT, (ATOM,), _logarithm, trait
 # ---- relations --------------------------------------------------------------------------------------------------
 
 unlike = define("unlike", r"{0} \neq {1}", "{0} != {1}", RELATION, (SUM, SUM),
-                lambda env, a, b: not env.equal(env.now(a), env.now(b)), traits=Trait.DELICATE)
+                lambda env, a, b: not values.equal(env.field.certain, env.now(a), env.now(b)), traits=Trait.DELICATE)
 
 
 def _ordered(name: str, sign: str, latex: str, test: Callable[[Any, Any], bool]) -> OperatorRow:
@@ -208,7 +208,8 @@ def _ordered(name: str, sign: str, latex: str, test: Callable[[Any, Any], bool])
     def value(env: Env, a: Any, b: Any) -> bool:
         if not env.field.ordered:
             raise NotExactError("an inequality")
-        return test(innermost(env.now(a)), innermost(env.now(b)))
+        a, b = innermost(env.now(a)), innermost(env.now(b))
+        return env.field.compared(test, a, b)
 
     return define(name, f"{{0}} {latex} {{1}}", f"{{0}} {sign} {{1}}", RELATION, (SUM, SUM), value,
                   traits=Trait.DELICATE)

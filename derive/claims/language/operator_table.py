@@ -98,15 +98,15 @@ def _chain(env: Env, *sides: Any) -> bool:
 equal = define("equal", " = ", "=", RELATION, (SUM,), _chain)
 both = define("both", r" ;\quad ", ";", LIST, (LIST,), lambda env, *parts: all(parts), traits=Trait.JOINS)
 nonzero = define("nonzero", r"{0} \neq 0", "{0}≠0", RELATION, (SUM,),
-                 lambda env, a: not env.equal(env.now(a), 0), traits=Trait.DELICATE)
-negated = define("negated", r"\neg\left({0}\right)", "not {0}", RELATION, (LIST,), lambda env, a: not a,
-                 traits=Trait.DELICATE)
+                 lambda env, a: not values.equal(env.field.certain, env.now(a), 0), traits=Trait.DELICATE)
+negated = define("negated", r"\neg\left({0}\right)", "not {0}", RELATION, (LIST,),
+                 lambda env, a: not env.certain.value(a), lazy=True, traits=Trait.DELICATE)
 
 
 def _implied(env: Env, premise: Term, conclusion: Term) -> bool:
     """Return whether a premise implies a conclusion, which must be true where the premise is undecidable."""
     try:
-        return not env.value(premise) or bool(env.value(conclusion))
+        return not env.certain.value(premise) or bool(env.value(conclusion))
     except NotExactError:
         if env.value(conclusion):
             return True

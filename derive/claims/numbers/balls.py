@@ -1,7 +1,8 @@
 """Balls of Arb: numbers with a rigorous bound on their error, in which claims are evaluated.
 
-Two balls that do not overlap are certainly unequal, so a refutation is a proof. Balls that overlap count as equal; an
-overlap that is too wide to tell raises `BlurredError`, and the caller repeats the evaluation with more digits.
+Two balls that do not overlap are certainly unequal, so a refutation is a proof. Balls that overlap count as equal,
+which supports a claim and never decides against one: there, an overlap that is not an exact equality raises
+`BlurredError`. So does one that is too wide to tell. The caller repeats the evaluation with more digits.
 """
 
 from __future__ import annotations
@@ -10,6 +11,7 @@ from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from fractions import Fraction
 from numbers import Number
+from operator import ge, gt, le, lt
 from typing import Any
 
 import flint
@@ -17,7 +19,7 @@ import flint
 from ...algebra import Dual
 from .fields import Field, UndefinedError, innermost
 
-PRECISIONS = (256, 2048)
+PRECISIONS = (256, 4096)
 """Bits of the first evaluation, and of its repetition if balls are too wide."""
 SPARE = 32
 """Bits by which the terms that an infinite sum leaves out are below its error."""
@@ -99,6 +101,11 @@ class Ball:
     def __ge__(self, other: Any) -> bool:
         return not self < other
 
+    def overlaps(self, other: Any) -> bool:
+        """Return whether it has a number in common with another one, and both are not exactly equal."""
+        b = arb(other)
+        return bool(self.arb.overlaps(b)) and not (self.arb.is_exact() and b.is_exact())
+
     def __bool__(self) -> bool:
         return not self.arb.contains(0)
 
@@ -145,14 +152,31 @@ class Balls(Field):
 
     ordered = True
 
-    def __init__(self, lenient: bool = False) -> None:
-        self.lenient = lenient  # whether a dual vector with real part 0 has a magnitude
+    def __init__(self, certainly: bool = False, loose: bool = False) -> None:
+        self.certainly = certainly  # whether an overlap tells nothing
+        # whether an overlap is an equality, as where a number vanishes, and a dual vector always has a magnitude
+        self.loose = loose
+
+    @property
+    def certain(self) -> Balls:
+        return self if self.loose else Balls(certainly=True)
 
     def same(self, a: Any, b: Any) -> bool:
         gap, size = arb(a) - arb(b), abs(arb(a)).mid() + 1
         if not gap.is_finite():
             raise BlurredError
-        return self._contains_zero(gap, size)
+        found = self._contains_zero(gap, size)
+        if found and self.certainly and Ball(arb(a)).overlaps(b):
+            raise BlurredError
+        return found
+
+    def compared(self, test: Callable[[Any, Any], bool], a: Any, b: Any) -> bool:
+        a = Ball(arb(a))
+        if a.overlaps(b) and self.loose:
+            return test in (le, ge)
+        if a.overlaps(b) and (self.certainly or test in (lt, gt) or not self.same(a, b)):
+            raise BlurredError
+        return test(a, b)
 
     def vanishes(self, a: Any) -> bool:
         return self._contains_zero(arb(a), 1)
@@ -187,7 +211,7 @@ class Balls(Field):
 
     def magnitude(self, v: Any) -> Any:
         square = v.dot(v)
-        if self.lenient:
+        if self.loose:
             return super().magnitude(v)
         if isinstance(square, Dual) and self.vanishes(innermost(square)):
             raise UndefinedError("the magnitude of a vector whose real part is 0 has no dual part and no rate")
@@ -225,9 +249,11 @@ class Balls(Field):
         return Ball(flint.arb.atan2(y * 0 if y.contains(0) else y, x))
 
     def floor(self, a: Any) -> int:
-        """Return the greatest integer that is not greater; a ball around an integer counts as this integer."""
-        number = arb(a)
-        return int(number.unique_fmpz() if number.contains_integer() else number.floor().unique_fmpz())
+        """Return the greatest integer that is not greater; raise if a ball has numbers on both sides of one."""
+        found = arb(a).floor().unique_fmpz()
+        if found is None:
+            raise BlurredError
+        return int(found)
 
     @property
     def pi(self) -> Ball:

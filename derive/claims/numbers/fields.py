@@ -92,6 +92,10 @@ class Field(Elementary):
     def same(self, a: Any, b: Any) -> bool:
         return bool(a == b)
 
+    def compared(self, test: Callable[[Any, Any], bool], a: Any, b: Any) -> bool:
+        """Return whether an order relation of two plain numbers is true."""
+        return test(a, b)
+
     def vanishes(self, a: Any) -> bool:
         """Return whether a plain number is zero up to rounding."""
         return bool(a == 0)
@@ -99,6 +103,11 @@ class Field(Elementary):
     def negligible(self, a: Any) -> bool:
         """Return whether a term of an infinite sum no longer changes it."""
         return self.vanishes(a)
+
+    @property
+    def certain(self) -> Field:
+        """The field whose relations decide against a claim: there an overlap of balls tells nothing."""
+        return self
 
     @property
     def pi(self) -> Any:
@@ -154,6 +163,17 @@ class Exact(Field):
     @property
     def pi(self) -> Element:
         return self.symbol("pi")
+
+
+class Constants(Exact):
+    """Exact numbers without symbols, which have signs."""
+
+    ordered = True
+
+    def floor(self, a: Any) -> int:
+        """Return the greatest integer that is not greater."""
+        number = self.functions.element(a)
+        return int(self.functions.value(number.numerator) / self.functions.value(number.denominator) // 1)
 
 
 def innermost(a: Any) -> Any:

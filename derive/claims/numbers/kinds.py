@@ -21,7 +21,7 @@ from .balls import Balls, precision
 from .fields import Field
 
 Numbers = Sequence[Any]
-SPECIAL_BITS = 4096
+SPECIAL_BITS = 8192
 """Bits of special coordinates such as π, more than any evaluation has."""
 
 

@@ -18,9 +18,10 @@ MEANING = {
     Status.FALSE: "false, with a point where it fails, and changes in one step that make it true",
     Status.ERRATUM: "false as printed in every listed reading; its correction is decided like any other statement",
     Status.UNDECIDED: "neither proved nor refuted, for the reason shown",
+    Status.UNREFUTED: "true at all points that were tried, and not proved",
     Status.AMBIGUOUS: "a true and a false reading that the text cannot tell apart",
-    Status.HOLDS_IF: "true under the condition shown",
-    Status.HOLDS: "true as printed",
+    Status.HOLDS_IF: "proved under the condition shown",
+    Status.HOLDS: "proved as printed",
 }
 """Meaning of each status, in the order of the report."""
 

@@ -117,6 +117,7 @@ TABLES: dict[Status, tuple[str, str, Callable[[Result], Rows]]] = {
     Status.ERRATUM: ("printed", "corrected", _erratum),
     Status.AMBIGUOUS: ("reading", "verdict", _ambiguous),
     Status.UNDECIDED: ("printed", "reason", _true),
+    Status.UNREFUTED: ("printed", "tried", _true),
     Status.HOLDS_IF: ("printed", "condition", _true),
     Status.HOLDS: ("printed", "method", _true),
 }
@@ -131,7 +132,7 @@ def _name(result: Result) -> str:
     return f"{label(result)}\n{result.equation.title}"
 
 
-SCHEMA = 3
+SCHEMA = 4
 LEFT_OUT = ("line", "source", "reading_count", "capped")
 """Fields that say nothing about the equation."""
 PROOF_FIELDS = ("statement", "scope", "status", "method")

@@ -93,7 +93,7 @@ def test_ill_formed_equations_are_named_and_the_others_decided(mixed: Path, monk
     done = dualcay("verify", str(mixed), "--eq", "19,20", "--format", "json")
     assert done.returncode == 2
     data = json.loads(done.stdout)
-    assert data["schema"] == 3
+    assert data["schema"] == 4
     assert [equation["status"] for equation in data["equations"]] == ["holds", "false"]
     assert [(error["equation"], error["column"]) for error in data["errors"]] == [
         ("equation 21", 1), ("equation 17", None), ("equation 22", 10),

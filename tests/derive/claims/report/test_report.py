@@ -53,7 +53,7 @@ def test_section_of_proofs_is_present_only_with_proofs(report, name) -> None:
 
 def test_json_has_the_documented_fields(report) -> None:
     data = json.loads(FORMATS["json"](report))
-    assert data["schema"] == 3
+    assert data["schema"] == 4
     fields = {"paper", "equation", "title", "status", "printed", "corrected", "claimed", "condition", "exact"}
     fields |= {"stated", "said", "readings", "reading_count", "capped", "counterexample", "method", "anchor"}
     for equation in data["equations"]:

@@ -1,0 +1,209 @@
+"""Proof that both sides of a claim have a value, and of order relations, by the signs of exact numbers.
+
+A partial operation asks something of a number: a divisor is not 0, a radicand is not negative. This is proved where the
+factors of the number have one sign on the stated domain, or are asked to by a condition that was found.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from dataclasses import field as of_class
+from typing import Any
+
+from ...algebra import Structure, Tensor
+from ...algebra.element import Element
+from ...algebra.matrix import Matrix
+from ..language.environment import Env
+from ..language.operator_table import both, cos, det, norm, sin
+from ..language.printed import Number, Symbol, Term, Trait
+from ..numbers.fields import innermost
+from ..numbers.generators import Generators
+from .claim import Claim
+from .identity import ABSENT, STRICT, difference, not_negative, setting, with_free_product
+from .singular import size
+
+
+@dataclass(frozen=True)
+class Signs:
+    """Numbers over a field of generators, and factors that a domain or condition keeps from 0."""
+
+    env: Env
+    nonzero: list[Any] = of_class(default_factory=list)
+    named: list[Term] = of_class(default_factory=list)  # terms that are not 0
+
+    @property
+    def field(self) -> Any:
+        """Return the field of generators."""
+        return self.env.field
+
+    @property
+    def ring(self) -> Any:
+        """Return the ring of the field, which knows signs."""
+        return self.field.ring
+
+    def number(self, part: Term, of: Any = size) -> Element:
+        """Return a number of a term as an exact number, or raise one of ABSENT."""
+        found: Element = self.field.element(of(self.env.now(self.env.value(part))))
+        return found
+
+    def assume(self, part: Term) -> None:
+        """Note what a relation of a stated domain, or of a condition, says of numbers."""
+        name, arguments = part.operator.name, part.arguments
+        try:
+            if name in ("unlike", "nonzero"):
+                self.named.extend([difference(part), *(a for a in arguments[:1] if len(arguments) == 1)])
+                self.nonzero.extend(self.ring.factors(self.number(difference(part))))
+            elif name in STRICT:
+                gap = self.field.element(not_negative(self.env, part))
+                self.field.assumed.append(gap)
+                self.nonzero.extend(self.ring.factors(gap) if STRICT[name] else [])
+            elif name in ("both", "and"):
+                for one in arguments:
+                    self.assume(one)
+        except ABSENT:
+            return
+
+    def is_nonzero(self, a: Element) -> bool:
+        """Return whether a number is proved to be 0 nowhere."""
+        one = self.ring.library.one
+        return bool(a) and all(
+            factor in self.nonzero or self.ring.definite(factor, strict=True)
+            for factor in self.ring.factors(a) if factor != one
+        )  # fmt: skip
+
+    def not_negative(self, a: Element) -> bool:
+        """Return whether a number is proved to be 0 or positive, for ``a - b r`` with a root r by the squares."""
+        if not a or self.field.is_positive(a):
+            return True
+        for name in self.field.roots_used():
+            i = self.ring.index(name)
+            lone = self.ring.fraction(a.numerator.derivative(i), a.denominator)
+            rest, r = a - lone * self.field.symbol(name), self.field.symbol(name)
+            if self.field.is_positive(rest) and self.not_negative(rest * rest - lone * lone * r * r):
+                return True
+        return False
+
+
+def signs_of(claim: Claim, condition: Sequence[Term] = ()) -> list[Signs]:
+    """Return the signs for each choice of orders, with what domain and condition say."""
+    found = []
+    for fixed in claim.choices:
+        domain = [] if claim.entry.claimed is None else [claim.entry.claimed]
+        signs = Signs(setting(claim, Generators, fixed, real=True))
+        for part in (*domain, *condition):
+            signs.assume(part)
+        found.append(signs)
+    return found
+
+
+def undecided_parts(claim: Claim, condition: Sequence[Term] = ()) -> list[Term]:
+    """Return the partial operations of a claim that are not proved to have a value."""
+    claim, condition = with_free_product(claim, *condition)
+    try:
+        every = signs_of(claim, condition)
+    except ABSENT:
+        return list(dict.fromkeys(part for part, _ in _partial(claim.statement, bool(claim.depth or claim.dual))))
+    open_parts = [part for part, asked in _partial(claim.statement, bool(claim.depth or claim.dual))
+                  if not all(_has_value(signs, part, asked) for signs in every)]  # fmt: skip
+    return list(dict.fromkeys(open_parts))
+
+
+def _has_value(signs: Signs, part: Term, asked: str) -> bool:
+    if asked == "not 0" and (_is_invertible(part) or _is_named(part, signs.named)):
+        return True
+    try:
+        value = signs.env.value(part)
+        if asked == "logarithm" and isinstance(value, Tensor | Matrix):
+            turned = value.trace() + 1 if isinstance(value, Tensor) else sum(value.rows[i][i] for i in range(4))
+            return signs.is_nonzero(signs.field.element(innermost(signs.env.now(turned))))
+        if asked == "logarithm" and isinstance(value, Structure):
+            return signs.is_nonzero(signs.number(part))
+        if asked == "not 0":
+            return signs.is_nonzero(signs.number(part))
+        number = signs.number(part, innermost)
+        if asked == "within 1":
+            number = 1 - number * number
+        return signs.not_negative(number) and (asked != "logarithm" or signs.is_nonzero(number))
+    except ABSENT:
+        return False
+
+
+EXPANDED = ("series", "limit at")
+"""Operators that fill removable singularities; that they have a value is seen when they are evaluated."""
+TURNS = ("rotation", "pose 4x4", "unit real quaternion", "orthogonal tensor", "unit quaternion")
+"""Kinds whose values have an inverse."""
+
+
+def _evaluated_nodes(statement: Term) -> Iterator[Term]:
+    yield statement
+    if statement.operator.name not in EXPANDED:
+        for part in statement.arguments:
+            yield from _evaluated_nodes(part)
+
+
+def _is_invertible(part: Term) -> bool:
+    """Return whether a term is a product of displacements, whose inverse exists."""
+    name = part.operator.name
+    if isinstance(part, Symbol):
+        return part.quantity.name.removeprefix("constant ") in TURNS
+    if name in ("times", "inverse", "transpose", "conjugate", "bracket"):
+        return all(map(_is_invertible, part.arguments))
+    return (name == "pose of" and _is_invertible(part.arguments[0])) or (
+        name == "exp" and part.arguments[0].operator.name == "skew")
+
+
+def _is_named(part: Term, named: Sequence[Term]) -> bool:
+    """Return whether a term is not 0 if these terms are not, as a power, a product or a magnitude of them."""
+    if not {part, det(part), norm(part)}.isdisjoint(named):
+        return True
+    name, arguments = part.operator.name, part.arguments
+    if name in ("power", "norm", "negative", "bracket", "root"):
+        return _is_named(arguments[0], named)
+    return name == "times" and all(isinstance(a, Number) or _is_named(a, named) for a in arguments)
+
+
+def _partial(statement: Term, moving: bool) -> Iterator[tuple[Term, str]]:
+    """Yield the terms on which a partial operation of a statement depends, with what it asks of them."""
+    for node in _evaluated_nodes(statement):
+        name, arguments = node.operator.name, node.arguments
+        if name == "over":
+            yield arguments[1], "not 0"
+        elif name == "power" and not (isinstance(arguments[1], Number) and arguments[1].value >= 0):
+            exponent = arguments[1]
+            if exponent.operator.name != "over" or exponent.arguments[1] != Number(2):
+                yield arguments[0], "not 0"
+            if exponent.operator.name == "over":
+                yield arguments[0], "not negative"
+        elif name == "inverse" or (name == "norm" and moving):
+            yield arguments[0], "not 0"
+        elif name == "root":
+            yield arguments[0], "not negative"
+        elif name == "log":
+            yield arguments[0], "logarithm"
+        elif name in ("acos", "asin"):
+            yield arguments[0], "within 1"
+        elif name in ("tan", "cot"):
+            yield (cos if name == "tan" else sin)(*arguments), "not 0"
+        elif name == "atan2 of two":
+            yield arguments[0] ** 2 + arguments[1] ** 2, "not 0"
+
+
+def ordered(claim: Claim) -> bool:
+    """Return whether the order relations that a claim states are proved."""
+    try:
+        return all(_is_true(signs, claim.statement) for signs in signs_of(claim))
+    except ABSENT:
+        return False
+
+
+def _is_true(signs: Signs, statement: Term) -> bool:
+    name = statement.operator.name
+    if Trait.JOINS in statement.operator.traits or statement.operator is both:
+        return all(_is_true(signs, part) for part in statement.arguments)
+    if name == "unlike":
+        return signs.is_nonzero(signs.number(difference(statement)))
+    if name not in STRICT:
+        return bool(signs.env.value(statement))
+    gap = signs.field.element(not_negative(signs.env, statement))
+    return signs.not_negative(gap) and (not STRICT[name] or signs.is_nonzero(gap))

@@ -1,0 +1,190 @@
+"""Proof of a claim at independent generators: for all signs of its roots, exactly or modulo a random prime.
+
+Such a proof shows that both sides are equal wherever both have a value; it shows no value. Modulo a prime a proof is
+fast, and large formulas have no other.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from contextlib import suppress
+from dataclasses import replace
+from functools import partial, reduce
+from math import lcm
+from typing import Any
+
+from ...algebra.element import NotExactError
+from ..language.environment import Env
+from ..language.matrices import inverse
+from ..language.operations import written
+from ..language.operator_table import both
+from ..language.printed import Number, Symbol, Term, Trait, symbols, with_trait
+from ..numbers.fields import innermost
+from ..numbers.generators import Generators
+from ..numbers.kinds import ORDER
+from ..numbers.residues import SURE_BITS, Residues, UnluckyError
+from .claim import Claim, kind, operators
+from .polar import Polar, bounds
+from .proof import steps_of
+
+PRIMES_MAX = 40
+"""Largest number of primes that are tried for one with all roots."""
+TESTS = 2**20
+"""More equalities than a proof tests."""
+MODULO = "proved modulo a random prime"
+ROTATION, PRODUCT = "rotation", "S of rotations"
+CUT = frozenset(("floor of number", "or", "negated", "implies"))
+"""Operators that jump: a claim that is true at generic values may be false at special ones."""
+STRICT = {"less": True, "at most": False, "greater": True, "at least": False}
+"""Order relations, with whether they exclude equality."""
+ABSENT = (ArithmeticError, TypeError, AttributeError, KeyError, ValueError, IndexError)
+"""Errors of a number that a field does not have."""
+Make = Callable[..., Generators]
+
+
+def identical(claim: Claim) -> str | None:
+    """Return how a claim is proved at independent generators, "exact" or modulo a prime, or None."""
+    if claim.dual or not CUT.isdisjoint(operators(claim.statement)):
+        return None
+    for prove, how in ((proved_exactly, "exact"), (proved_modulo, f"{MODULO}, error < 2^-{SURE_BITS}")):
+        try:
+            if prove(claim):
+                return how
+        except NotExactError:
+            continue
+    return None
+
+
+def proved_modulo(claim: Claim) -> bool:
+    """Return whether a claim is true for all signs of roots, modulo a random prime."""
+    for attempt in range(PRIMES_MAX):
+        seed = f"{written(claim.statement)} {attempt}"
+        try:
+            return _for_all_signs(claim, partial(Residues, seed=seed))
+        except UnluckyError:
+            continue
+    return False
+
+
+def proved_exactly(claim: Claim) -> bool:
+    """Return whether a claim is true for all signs of roots, exactly."""
+    return _for_all_signs(claim, Generators)
+
+
+def _for_all_signs(claim: Claim, make: Make) -> bool:
+    """Return whether a claim is true for all orders and for all signs of roots whose sign is unknown.
+
+    Raise NotExactError if the field cannot tell.
+    """
+    claim, _ = with_free_product(with_solved_equations(claim))
+    if claim.constraints:
+        raise NotExactError("equations in the domain")
+    for fixed in claim.choices:
+        waiting: list[tuple[int, ...]] = [()]
+        while waiting:
+            signs = waiting.pop()
+            field = _evaluated(claim, make, fixed, signs)
+            if field is None:
+                return False
+            waiting += [(*field.signs[:i], -1) for i in range(len(signs), len(field.roots))]
+    return True
+
+
+def conjuncts(domain: Term) -> list[Term]:
+    """Return the relations that a domain joins by "and"."""
+    return [part for one in domain.arguments for part in conjuncts(one)] if domain.operator is both else [domain]
+
+
+def _evaluated(
+    claim: Claim, make: Make, fixed: Mapping[Symbol, int], signs: Sequence[int]
+) -> Generators | None:
+    """Return the field if the claim is true with these signs of the first roots, else None."""
+    env = setting(claim, make, fixed, signs)
+    try:
+        true = env.value(claim.statement)
+    except (NotExactError, UnluckyError):
+        raise
+    except (ArithmeticError, TypeError, AttributeError) as error:
+        raise NotExactError("no generic value") from error
+    field: Any = env.field
+    if isinstance(field, Residues) and not field.is_sure(TESTS):
+        raise NotExactError("a formula too large for the prime")
+    return field if true else None
+
+
+def setting(
+    claim: Claim, make: Make, fixed: Mapping[Symbol, int], signs: Sequence[int] = (), real: bool = False
+) -> Env:
+    """Return the environment of a claim over independent generators, for one choice of orders.
+
+    Dual letters have their real parts alone if `real`; what has a value is a matter of these.
+    """
+    domain = [] if claim.entry.claimed is None else conjuncts(claim.entry.claimed)
+    steps = lcm(steps_of(claim.statement), *(4 * n for a, n in fixed.items() if a.quantity is ORDER))
+    letters = Polar(claim.coordinates, claim.depth, bounds(domain), partial(make, steps=steps, signs=signs), real)
+    env = Env(letters.field, letters.values | dict(fixed), claim.entry.definitions, False, claim.depth)
+    for part in domain:
+        if part.operator.name in STRICT:
+            with suppress(*ABSENT):
+                letters.field.assumed.append(letters.field.element(not_negative(env, part)))
+    return env
+
+
+def difference(part: Term) -> Term:
+    """Return the difference of both sides of a relation; of one with a single side, this side."""
+    a, *rest = part.arguments
+    return a if not rest or rest[0] == Number(0) else a - rest[0]
+
+
+def not_negative(env: Env, part: Term) -> Any:
+    """Return the number that an order relation says not to be negative."""
+    gap = innermost(env.now(env.value(difference(part))))
+    return gap if part.operator.name in ("greater", "at least") else -gap
+
+
+def with_solved_equations(claim: Claim) -> Claim:
+    """Return a claim with an expression for each letter that an equation of the stated domain equates with it."""
+    domain = [] if claim.entry.claimed is None else conjuncts(claim.entry.claimed)
+    for part in domain:
+        a, b = part.arguments if part.operator.name == "equal" and len(part.arguments) == 2 else (part, part)
+        for letter, value in ((a, b), (b, a)):
+            free = isinstance(letter, Symbol) and kind(letter).free == kind(letter).spread == ""
+            if free and letter not in symbols(value):
+                rest = [one.xreplace({letter: value}) for one in domain if one is not part]
+                entry = replace(claim.entry, claimed=reduce(both, rest) if rest else None)
+                return with_solved_equations(Claim(entry, claim.statement.xreplace({letter: value}), claim.orders))
+    return claim
+
+
+def with_free_product(claim: Claim, *further: Term) -> tuple[Claim, tuple[Term, ...]]:
+    """Return a claim and further terms with a rotation S for ``R*inverse(K)`` in a logarithm, and R = S K.
+
+    The logarithm of a product of two rotations in polar form is no rational function.
+    """
+    found = next(filter(None, map(_product_of_rotations, with_trait(Trait.TRANSCENDENTAL, claim.statement))), None)
+    if found is None:
+        return claim, further
+    node, moved, product = found
+    letter = Symbol(PRODUCT, ROTATION, PRODUCT, PRODUCT)
+    a, b = node.arguments
+    opposite = b.arguments[0] * inverse(a) if isinstance(a, Symbol) else inverse(b) * a.arguments[0]
+    shown = [part.xreplace({node: letter, opposite: inverse(letter)}).xreplace({moved: product})
+             for part in (claim.statement, *further)]  # fmt: skip
+    return claim.with_statement(shown[0]), tuple(shown[1:])
+
+
+def _product_of_rotations(node: Term) -> tuple[Term, Symbol, Term] | None:
+    """Return the product in a logarithm, its letter that moves, and this letter by the product and the other one."""
+    inner = node.arguments[0]
+    if node.operator.name != "log" or inner.operator.name != "times" or len(inner.arguments) != 2:
+        return None
+    a, b = inner.arguments
+    product = Symbol(PRODUCT, ROTATION, PRODUCT, PRODUCT)
+    for one, other, left in ((a, b, False), (b, a, True)):
+        base = other.arguments[0] if other.operator.name in ("inverse", "transpose") else None
+        if not (isinstance(one, Symbol) and isinstance(base, Symbol) and one.quantity.name.endswith("rotation")):
+            continue
+        if kind(one).constant:
+            return inner, base, one * inverse(product) if left else inverse(product) * one
+        return inner, one, base * product if left else product * base
+    return None

@@ -1,0 +1,168 @@
+"""Letters of a claim in polar form: a vector is a length times a direction, a rotation turns by an angle about one.
+
+Lengths and angles of rotation are generators with a range, directions have two stereographic coordinates. So lengths,
+logarithms and their rates are rational, and no frame is chosen. Left out are the vector 0, rotations by 0 and π, and
+one direction.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from fractions import Fraction
+from typing import Any
+
+import sympy
+
+from ...algebra import Quaternion
+from ...algebra.element import NotExactError
+from ...algebra.first_principles import tensor_by_sandwich
+from ...algebra.matrix import shaped
+from ..language.matrices import entry, stacked
+from ..language.printed import Number, Symbol, Term, symbols
+from ..numbers.generators import Generators
+from ..numbers.kinds import KINDS, jet, sphere
+from ..numbers.signed import Bound
+
+POSITIVE = (sympy.Integer(0), sympy.oo)
+HALF_TURN = (sympy.Integer(0), sympy.pi)
+ALL = (-sympy.oo, sympy.oo)
+RATES = ("'", "''")
+Make = Callable[[Generators, dict[str, Any]], Any]
+
+
+def _rotation(field: Generators, c: Mapping[str, Any]) -> Any:
+    half = c["A"] * Fraction(1, 2)
+    return tensor_by_sandwich(Quaternion(field.cos(half), sphere((1, c["s"], c["t"])) * field.sin(half)))
+
+
+def _pose(field: Generators, c: Mapping[str, Any]) -> Any:
+    rows = zip(_rotation(field, c).rows, (c["x"], c["y"], c["z"]), strict=True)
+    return shaped([*((*row, d) for row, d in rows), (0, 0, 0, 1)])
+
+
+def _vector(field: Generators, c: Mapping[str, Any]) -> Any:
+    return sphere((1, c["s"], c["t"])) * c["X"]
+
+
+def _six(field: Generators, c: Mapping[str, Any]) -> Any:
+    return shaped([[a] for a in (*_vector(field, c), c["x"], c["y"], c["z"])])
+
+
+_DIRECTION = {"s": ALL, "t": ALL}
+_POINT = {"x": ALL, "y": ALL, "z": ALL}
+FORMS: Mapping[str, tuple[Mapping[str, tuple[Bound, Bound]], Make]] = {
+    "real vector": ({"X": POSITIVE, **_DIRECTION}, _vector),
+    "real unit vector": (_DIRECTION, lambda field, c: sphere((1, c["s"], c["t"]))),
+    "rotation": ({"A": HALF_TURN, **_DIRECTION}, _rotation),
+    "pose 4x4": ({"A": HALF_TURN, **_DIRECTION, **_POINT}, _pose),
+    "twist": ({"X": POSITIVE, **_DIRECTION, **_POINT}, _six),
+    "wrench": ({"X": POSITIVE, **_DIRECTION, **_POINT}, _six),
+}
+"""Coordinates with their intervals and the builder of a value, for kinds with a polar form."""
+
+
+def _form(letter: Symbol) -> str:
+    """Return the name of the kind of a letter, that of the real kind for a dual vector or an orthogonal tensor."""
+    name = letter.quantity.name.removeprefix("constant ")
+    real = {"dual vector": "real vector", "unit vector": "real unit vector", "orthogonal tensor": "rotation"}
+    return real.get(name, name)
+
+
+def coordinates(
+    letter: Symbol, bounds: Mapping[str, tuple[Bound, Bound]], real: bool
+) -> dict[str, tuple[Bound, Bound]]:
+    """Return the intervals of the coordinates of a letter, within the bounds of its length or value in a domain."""
+    name = _form(letter)
+    kind = KINDS[letter.quantity.name]
+    if kind.still or (kind.dual and not real):
+        raise NotExactError(f"no polar form of a {name}")
+    if name in FORMS:
+        found = dict(FORMS[name][0])
+    else:
+        found = {str(i): POSITIVE if kind.spread == "positive" else ALL for i in range(kind.projective, kind.size)}
+    bounded = next((stem for stem in ("X", "A", "0") if stem in found), None)
+    if letter.name in bounds and bounded is not None:
+        (low, high), (least, most) = found[bounded], bounds[letter.name]
+        found[bounded] = max(low, least), min(high, most)
+    return found
+
+
+class Polar:
+    """Values of letters over a field of generators; `field` makes it from names, intervals, integers and steps."""
+
+    def __init__(
+        self, letters: Sequence[Symbol], depth: int, bounds: Mapping[str, tuple[Bound, Bound]],
+        field: Callable[[Sequence[str], Mapping[str, tuple[Bound, Bound]], Sequence[str]], Generators],
+        real: bool = False,
+    ) -> None:  # fmt: skip
+        self.depth = depth
+        stems = {a: coordinates(a, bounds, real) for a in letters}
+        intervals = {f"{a.name}.{stem}": ends for a in letters for stem, ends in stems[a].items()}
+        names = [name + dots for name in intervals for dots in ("", *RATES[:depth])]
+        integers = [f"{a.name}.0" for a in letters if KINDS[a.quantity.name].spread == "integer"]
+        self.field = field(names, {name: ends for name, ends in intervals.items() if ends != ALL}, integers)
+        self.values = {a: self._value(a, list(stems[a])) for a in letters}
+
+    def _value(self, letter: Symbol, stems: Sequence[str]) -> Any:
+        name, kind = _form(letter), KINDS[letter.quantity.name]
+        numbers = {stem: self._number(letter, stem) for stem in stems}
+        if name in FORMS:
+            return FORMS[name][1](self.field, numbers)
+        return kind.build([*[1] * kind.projective, *numbers.values()])
+
+    def _number(self, letter: Symbol, stem: str) -> Any:
+        """Return a coordinate with its rates, which are 0 for constants and integers."""
+        kind, name = KINDS[letter.quantity.name], f"{letter.name}.{stem}"
+        value = self.field.symbol(name)
+        still = kind.constant or kind.spread == "integer"
+        return jet(value, [0 * value if still else self.field.symbol(name + dots) for dots in RATES[: self.depth]])
+
+
+def bounds(parts: Sequence[Term]) -> dict[str, tuple[Bound, Bound]]:
+    """Return the intervals of numbers and of magnitudes that the relations of a domain give, by letter."""
+    found: dict[str, tuple[Bound, Bound]] = {}
+    for letter, low, high in (row for part in parts for row in _bound(part)):
+        least, most = found.get(letter, ALL)
+        found[letter] = max(least, low), min(most, high)
+    return found
+
+
+def _bound(part: Term) -> Iterator[tuple[str, Bound, Bound]]:
+    """Yield letter and bounds of a relation of a letter, or of its magnitude, and a number."""
+    name = part.operator.name if not isinstance(part, Number | Symbol) else ""
+    if name not in ("less", "at most", "greater", "at least"):
+        return
+    below = name in ("less", "at most")
+    a, b = part.arguments
+    for inner, outer, is_upper in ((a, b, below), (b, a, not below)):
+        end = _constant(outer)
+        subject = _of_length(inner.arguments[0]) if inner.arguments and inner.operator.name == "norm" else inner
+        if end is not None and isinstance(subject, Symbol):
+            least = -sympy.oo if subject is inner else -end
+            if is_upper or subject is inner:  # a magnitude above a bound leaves two intervals
+                yield (subject.name, least, end) if is_upper else (subject.name, end, sympy.oo)
+
+
+def _of_length(subject: Term) -> Term:
+    """Return the twist of which a term is the first part, else the term."""
+    found = symbols(subject)
+    for letter in found:
+        if len(found) == 1 and subject == stacked(*(entry(letter, Number(i)) for i in (1, 2, 3))):
+            return letter
+    return subject
+
+
+def _constant(term: Term) -> Bound | None:
+    """Return a number of numerals and π, or None."""
+    if isinstance(term, Number):
+        return sympy.Rational(term.value.numerator, term.value.denominator)
+    if isinstance(term, Symbol):
+        return sympy.pi if term.quantity.name == "π" else None
+    parts = [_constant(a) for a in term.arguments]
+    if any(part is None for part in parts):
+        return None
+    forms: dict[str, Callable[..., Any]] = {
+        "over": lambda a, b: a / b, "negative": lambda a: -a, "times": lambda a, b: a * b, "bracket": lambda a: a,
+        "plus": lambda a, b: a + b, "minus": lambda a, b: a - b,
+    }  # fmt: skip
+    return forms[term.operator.name](*parts) if term.operator.name in forms else None

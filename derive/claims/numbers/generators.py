@@ -1,0 +1,317 @@
+"""Exact field whose generators are independent: letters in polar form, a tangent for each angle, roots of either sign.
+
+An identity between independent generators holds for all their values, so it also holds for the numbers that they stand
+for. Each of these has a generator of its own:
+
+* the tangent of a fraction of each monomial in a sine, and the exponential of each monomial in an exponent;
+* the root of a number that is no square, the logarithm of a number, and an angle that is no multiple of a known one.
+
+A root ``sqrt(r**2)`` is ``r`` or ``-r`` on each connected part of the domain. If nothing decides, its sign is the next
+of `signs`, and a claim is proved if it is true for all of them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import suppress
+from fractions import Fraction
+from functools import cached_property
+from itertools import combinations
+from math import comb, prod
+from typing import Any
+
+import sympy
+
+from ...algebra.element import Element, NotExactError
+from .fields import Field
+from .signed import Bound, Signed
+
+POOLS = {"tangent": 7, "exponential": 2, "root": 4, "logarithm": 4, "angle": 4, "turn": 3}
+"""Number of generators of the exact field that are given a meaning when a formula needs one; a turn is an integer."""
+ROOTS_MAX = 5
+"""Largest number of roots of unknown sign."""
+Monomial = tuple[tuple[str, int], ...]
+"""Generators with their exponents."""
+
+
+class Generators(Field):
+    """Rational functions of independent generators, with sines, exponentials, logarithms and roots.
+
+    Multiples of ``m/steps`` have exact sine and cosine, for every monomial m of the names. `ranges` gives open
+    intervals of names, `integers` the names of integers, `signs` the signs of the first roots of unknown sign.
+    """
+
+    pools: Mapping[str, int] = POOLS
+
+    def __init__(
+        self, names: Sequence[str], ranges: Mapping[str, tuple[Bound, Bound]], integers: Sequence[str], steps: int,
+        signs: Sequence[int] = (),
+    ) -> None:  # fmt: skip
+        self.names, self.given, self.steps, self.signs = tuple(names), dict(ranges), steps, list(signs)
+        self.integers = {*integers, *self.pool("turn")}
+        self.roots: list[Any] = []  # roots of unknown sign, up to this sign
+        self.meanings: dict[tuple[str, Monomial], str] = {}  # generators of tangents and exponentials
+        self.taken = dict.fromkeys(POOLS, 0)  # numbers of generators with a meaning
+        self.extensions: list[tuple[Any, str]] = []  # numbers that are no squares, with the generators of their roots
+        self.logarithms: list[tuple[Any, Any]] = []
+        self.assumed: list[Any] = []  # numbers that are not negative in the stated domain
+        self.angles: list[tuple[tuple[Any, Any], Any]] = []
+
+    @cached_property
+    def ring(self) -> Any:
+        """Ring of all generators; roots come first, since a relation eliminates its first generator."""
+        first, *others = map(self.pool, ("root", "turn", "angle", "logarithm", "tangent", "exponential"))
+        return Signed([*first, *self.names, "pi", *(name for pool in others for name in pool)], self.given)
+
+    def pool(self, what: str) -> list[str]:
+        """Return the generators for a tangent, an exponential, a root, a logarithm, an angle or a number of turns."""
+        return [f"{what} {i}" for i in range(self.pools[what])]
+
+    # ---- numbers, which a field modulo a prime has otherwise ---------------------------------------------------------
+
+    def symbol(self, name: str) -> Any:
+        return self.ring.symbol(name)
+
+    def element(self, a: Any) -> Any:
+        return self.ring.element(a)
+
+    def terms(self, a: Any) -> Iterator[tuple[Monomial, Fraction]]:
+        """Yield the terms of a number that is a polynomial in the names."""
+        a = self.ring.fraction(a.numerator, a.denominator, lowest_terms=True)
+        if a.denominator != self.ring.library.one:
+            raise NotExactError("an angle or exponent with a divisor")
+        for powers, c in self.ring.library.terms(a.numerator).items():
+            monomial = tuple((name, k) for name, k in zip(self.ring.names, powers, strict=True) if k)
+            if any(name.startswith(("tangent ", "exponential ")) for name, _ in monomial):
+                raise NotExactError("an angle or exponent that contains a sine or an exponential")
+            yield monomial, c
+
+    def is_positive(self, a: Any) -> bool:
+        """Return whether a number that is not 0 is proved to be positive, or not negative by an assumption."""
+        for known in (self.element(1), *self.assumed):
+            with suppress(NotExactError):
+                return bool((a / known).sign() > 0)
+        return False
+
+    def root(self, a: Any) -> Any:
+        """Return a root of a number up to its sign, or None if it is no square."""
+        found = self.ring.library.square_root(a.numerator * a.denominator)
+        return None if found is None else self.ring.fraction(found, a.denominator)
+
+    def new_root(self, a: Any) -> Any:
+        """Return the root of a number that is no square: by the root of another one, or with a generator."""
+        for count in range(1, len(self.extensions) + 1):
+            for some in combinations(self.extensions, count):
+                if (found := self.root(prod((other for other, _ in some), start=a))) is not None:
+                    return self.chosen(found / prod(self.symbol(name) for _, name in some))
+        name, square = self._next("root"), a.numerator * a.denominator
+        generator = self.symbol(name)
+        self.ring.relations.append(generator.numerator**2 - square)
+        self.ring.restrict(name, sympy.Integer(0), sympy.oo)
+        self.extensions.append((self.ring.fraction(square, self.ring.library.one), name))
+        return self.chosen(self.ring.fraction(generator.numerator, a.denominator))
+
+    def restrict_tangent(self, name: str, monomial: Monomial) -> None:
+        """Set the interval of a tangent by that of its angle."""
+        low, high = self._interval(monomial)
+        if max(abs(low), abs(high)) < self.steps * sympy.pi:
+            ends = [self._end(end) for end in (low, high) if end]
+            known = [end for end in ends if end is not None]
+            self.ring.restrict(name, *(sympy.tan(end / (2 * self.steps)) for end in (low, high)), known)
+
+    def _end(self, end: Bound) -> Any:
+        """Return the polynomial in a tangent that vanishes where its angle is a multiple of π; None for other ends."""
+        if not (end / sympy.pi).is_Rational:
+            return None
+        x, steps = sympy.Symbol("x"), 2 * self.steps * (end / sympy.pi).q
+        imaginary = {(k,): comb(steps, k) * (-1) ** (k // 2) for k in range(1, steps + 1, 2)}  # of (1 + i x)**steps
+        return sympy.Poly(imaginary, x)
+
+    # ---- roots -------------------------------------------------------------------------------------------------------
+
+    def same(self, a: Any, b: Any) -> bool:
+        return not self.element(a - b)
+
+    def _sqrt(self, a: Any) -> Any:
+        a = self.element(a)
+        found = self.root(a)
+        return self.new_root(a) if found is None else self.chosen(found)
+
+    def roots_used(self) -> list[str]:
+        """Return the generators of roots."""
+        return [name for _, name in self.extensions]
+
+    def absolute(self, a: Any) -> Any:
+        return self.chosen(a) if isinstance(a, Element) else super().absolute(a)
+
+    def chosen(self, root: Any) -> Any:
+        """Return ``root`` or ``-root``, the one that is not negative; by the next of `signs` if nothing decides."""
+        if not root or self.is_positive(root):
+            return root
+        if self.is_positive(-root):
+            return -root
+        for sign, known in zip(self.signs, self.roots, strict=False):
+            ratio = root / known
+            if self.is_positive(ratio) or self.is_positive(-ratio):
+                return root * sign if self.is_positive(ratio) else -root * sign
+        if len(self.roots) == ROOTS_MAX:
+            raise NotExactError(f"more than {ROOTS_MAX} roots of unknown sign")
+        self.roots.append(root)
+        self.signs += [1] * (len(self.roots) - len(self.signs))
+        return root * self.signs[len(self.roots) - 1]
+
+    # ---- angles and exponents ----------------------------------------------------------------------------------------
+
+    def _sin(self, a: Any) -> Any:
+        return self._circle(self.element(a))[1]
+
+    def _cos(self, a: Any) -> Any:
+        return self._circle(self.element(a))[0]
+
+    def _circle(self, a: Any) -> tuple[Any, Any]:
+        """Return cosine and sine of a polynomial in the names."""
+        c, s = self.element(1), self.element(0)
+        for monomial, multiple in self.terms(a):
+            cosine, sine = self._of_monomial(monomial, multiple)
+            c, s = c * cosine - s * sine, c * sine + s * cosine
+        return c, s
+
+    def _of_monomial(self, monomial: Monomial, multiple: Fraction) -> tuple[Any, Any]:
+        names = {name for name, _ in monomial}
+        one, zero = self.element(1), self.element(0)
+        if monomial == (("pi", 1),):
+            if (2 * multiple).denominator != 1:
+                raise NotExactError("a fraction of pi in a sine")
+            quarter = [(one, zero), (zero, one), (-one, zero), (zero, -one)]
+            return quarter[int(2 * multiple) % 4]
+        if names - {"pi"} <= self.integers and dict(monomial).get("pi") == 1 and (multiple / 2).denominator == 1:
+            return one, zero
+        count = multiple * self.steps
+        if count.denominator != 1 or not monomial:
+            raise NotExactError("a number or a fraction of an angle in a sine")
+        t = self.symbol(self._meaning("tangent", monomial))
+        cosine, sine = (1 - t * t) / (1 + t * t), (2 if count > 0 else -2) * t / (1 + t * t)
+        c, s = one, zero
+        for _ in range(abs(int(count))):
+            c, s = c * cosine - s * sine, c * sine + s * cosine
+        return c, s
+
+    def _exp(self, a: Any) -> Any:
+        found = self.element(1)
+        for monomial, multiple in self.terms(self.element(a)):
+            if multiple.denominator != 1 or not monomial:
+                raise NotExactError("a number or a fraction of a letter in an exponent")
+            found = found * self.symbol(self._meaning("exponential", monomial)) ** int(multiple)
+        return found
+
+    def _meaning(self, what: str, monomial: Monomial) -> str:
+        """Return the generator for the tangent or exponential of a monomial."""
+        if (what, monomial) not in self.meanings:
+            name = self._next(what)
+            self.meanings[what, monomial] = name
+            if what == "tangent":
+                self.restrict_tangent(name, monomial)
+            else:
+                self.restrict_exponential(name)
+        return self.meanings[what, monomial]
+
+    def restrict_exponential(self, name: str) -> None:
+        """Note that an exponential is positive."""
+        self.ring.restrict(name, sympy.Integer(0), sympy.oo)
+
+    def _next(self, what: str) -> str:
+        """Return the next generator of a pool."""
+        if self.taken[what] == self.pools[what]:
+            raise NotExactError(f"no generator is left for another {what}")
+        self.taken[what] += 1
+        return f"{what} {self.taken[what] - 1}"
+
+    def _log(self, a: Any) -> Any:
+        """Return the logarithm of a number, a generator for each argument."""
+        a = self.element(a)
+        if a == 1:
+            return self.element(0)
+        return sum((power * self._log_of(factor) for factor, power in self.positive_factors(a)), start=self.element(0))
+
+    def _log_of(self, a: Any) -> Any:
+        for (what, monomial), name in self.meanings.items():
+            if what == "exponential" and a == self.symbol(name):
+                return self._product(monomial)
+        for known, found in self.logarithms:
+            if a == known:
+                return found
+        self.logarithms.append((a, self.symbol(self._next("logarithm"))))
+        return self.logarithms[-1][1]
+
+    def positive_factors(self, a: Any) -> list[tuple[Any, int]]:
+        """Return the factors of a number with their exponents if all are positive, else the number itself."""
+        found, rest = [], a
+        for part, sign in ((a.numerator, 1), (a.denominator, -1)):
+            for factor, power in self.ring.library.factors(part):
+                number = self.ring.fraction(factor, self.ring.library.one)
+                number = number if self.is_positive(number) else -number
+                if not self.is_positive(number):
+                    return [(a, 1)]
+                found.append((number, sign * power))
+                rest = rest / number ** (sign * power)
+        return found if rest == 1 else [*found, (rest, 1)]
+
+    # ---- inverse functions -------------------------------------------------------------------------------------------
+
+    def _interval(self, monomial: Monomial) -> tuple[Bound, Bound]:
+        """Return the interval of a monomial: that of a name, else all numbers."""
+        (name, power), *rest = monomial
+        if rest or power != 1:
+            return -sympy.oo, sympy.oo
+        return self.given.get(name, (-sympy.oo, sympy.oo))
+
+    def _atan2(self, y: Any, x: Any) -> Any:
+        """Return the angle of a point as a multiple of a known one, up to turns if its range is unknown."""
+        y, x = self.element(y), self.element(x)
+        if not y and self.is_positive(x):
+            return y
+        for (b, a), angle in self.angles:
+            if self._along(y, x, b, a):
+                return angle
+        angle = self._known_angle(y, x)
+        if angle is None:
+            angle = self.symbol(self._next("angle"))
+        self.angles.append(((y, x), angle))
+        return angle
+
+    def _along(self, y: Any, x: Any, b: Any, a: Any) -> bool:
+        """Return whether two points (x, y) and (a, b) are proved to lie in one direction."""
+        return bool(y * a == x * b) and self.is_positive(y * b + x * a)
+
+    def _known_angle(self, y: Any, x: Any) -> Any:
+        """Return the angle of a point as k/steps of a monomial, plus turns if its range does not tell; else None."""
+        for monomial in [monomial for what, monomial in self.meanings if what == "tangent"]:
+            angle = self._product(monomial)
+            for k in (k for k in range(-2 * self.steps, 2 * self.steps + 1) if k):
+                c, s = self._of_monomial(monomial, Fraction(k, self.steps))
+                if self._along(y, x, s, c):
+                    turns = self._turns(monomial, Fraction(k, self.steps))
+                    turned = 2 * self.pi * (self.symbol(self._next("turn")) if turns is None else turns)
+                    return angle * Fraction(k, self.steps) + turned
+        return None
+
+    def _product(self, monomial: Monomial) -> Any:
+        return prod((self.symbol(name) ** power for name, power in monomial), start=self.element(1))
+
+    def _turns(self, monomial: Monomial, part: Fraction) -> int | None:
+        """Return the number of turns that brings a multiple of an angle into (−π, π] for all its values, or None."""
+        ends = [sympy.Rational(part.numerator, part.denominator) * end for end in self._interval(monomial)]
+        if not all(end.is_finite for end in ends):
+            return None
+        turns = int(sympy.ceiling((-sympy.pi - min(ends)) / (2 * sympy.pi)))
+        return turns if max(ends) + 2 * sympy.pi * turns <= sympy.pi else None
+
+    def _asin(self, a: Any) -> Any:
+        return self._atan2(a, self._sqrt(1 - self.element(a) ** 2))
+
+    def _acos(self, a: Any) -> Any:
+        return self._atan2(self._sqrt(1 - self.element(a) ** 2), a)
+
+    @property
+    def pi(self) -> Any:
+        return self.symbol("pi")
