@@ -167,13 +167,11 @@ def _with_proof(claim: Claim, finding: Finding) -> Finding:
         how = "exact" if not finding.cuts and ordered(claim) else None
     else:
         how = (proved(within) if within is claim else None) or identical(within)
-    if how is None:
-        return _unproved(finding, "")
+    if how is None or ", n = " in how:
+        return _unproved(finding, how or "")
     if without := undecided_parts(within, finding.needed):
         shown = ", ".join(dict.fromkeys(written(claim.entry.contracted(part)) for part in without[:SHOWN]))
         return _unproved(finding, f"{how} where both sides have a value, which is open for {shown}")
-    if not how.startswith(("exact", MODULO)) or (how.startswith("exact, n =")):
-        how = f"{how}; {finding.method}"
     return replace(finding, method=how, certainty=MODULO if how.startswith(MODULO) else "exact")
 
 
@@ -214,7 +212,7 @@ def _at_points(claim: Claim) -> Finding:
     status = Status.HOLDS_IF if condition else Status.HOLDS
     asked = tuple(term for one in exclusions(claim, _inside(at, within)) if (term := one.term) is not None)
     if within is not None and within.strict in condition:
-        asked = (*asked, *within.interior)
+        asked, within = (*asked, *within.interior), replace(within, terms=within.interior)
     return Finding(
         status, method, at.points, "evidence", condition, cuts, None, outside, tuple(at.true), asked, within
     )  # fmt: skip

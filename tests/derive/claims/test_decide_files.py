@@ -65,7 +65,7 @@ OPEN = [
     ("floor(n/2) + floor((n + 1)/2) == n", {"n": "integer"}), ("x**(1/3)*x**(2/3) == x", X),
     ("norm(n + R*m) < 2", {"n": "unit vector", "m": "unit vector", **R}),
     ("(16 - dot(v, v))*(16 - dot(w, w)) - 64*dot(v, w) + (16 + dot(v, v))*(16 + dot(w, w)) != 0", VW),
-    ("integral(norm(t), t, 1, 1) == 0", {}),
+    ("integral(norm(t), t, 1, 1) == 0", {}), ("dcay(n, v)*v == 2*n*v/(1 + dot(v, v))", {"n": "order", **V}),
 ]  # fmt: skip
 """Claims that no rule proves, and that no point refutes with certainty; the fourth and fifth are false."""
 CONDITIONS = [
@@ -100,7 +100,8 @@ DOMAINS = [
     ("atan2(y, x) == atan(y/x)", {"y": "real", **X}, "x != 0", "false"),
     ("implies(x > -1, sqrt(x**2) == x)", X, "", "false"),
     ("log(exp(skew(v))) == skew(v)", V, "norm(v) <= pi", "holds-if"),
-    ("1/x*x == 1", X, "0 < x and x < 1/1000", "holds"), ("sin(a)/cos(a) == tan(a)", A, "norm(a) < 2", "holds-if"),
+    ("1/x*x == 1", X, "0 < x and x < 1/1000", "holds"), ("(x - 1)/(x - 1) == 1", X, "x >= 1", "holds-if"),
+    ("(x - 1)/(x - 1) == 1", X, "x > 1", "holds"), ("sin(a)/cos(a) == tan(a)", A, "norm(a) < 2", "holds-if"),
     ("sin(a)/cos(a) == tan(a)", A, "norm(a) < 1", "holds"),
 ]  # fmt: skip
 CHANGES = [
