@@ -2,18 +2,22 @@
 
 from __future__ import annotations
 
+import ctypes
 import re
 import shutil
 import subprocess
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 import derive
-from derive.codegen.signatures import lower_chart
+from derive.codegen.signatures import POSES, lower_chart
 from derive.codegen.targets import c99
+from derive.codegen.targets.c import shared_geometry
 from derive.codegen.validation.c_text import prefix
 from derive.maps import Cayley, family
+from dualcay import cayley3, rotation
 from tests.support.compilers import FOREIGN, FOREIGN_FUNCTIONS, WARNINGS
 from tests.support.scalars import TABLES, includes
 
@@ -33,12 +37,23 @@ def checked(text: str, headers: Path, tmp_path: Path, *flags: str) -> str:
     return subprocess.run(command, capture_output=True, text=True).stderr
 
 
+def words(function: c99.CFunction) -> set[str]:
+    """Return the names in a function, without macros of these headers."""
+    found = re.findall(r"\b[A-Za-z]\w*", function.parameters + function.text)
+    return {word for word in found if not word.startswith("DUALCAY_")}
+
+
 def test_scalars_have_no_names_of_foreign_macros():
     for chart in (Cayley(3), family("breusing"), *(derive.Parameterization(phi, "own") for phi in OWN)):
         for name, program in lower_chart(chart).scalars.items():
-            function = c99.scalar(program, {})
-            words = set(re.findall(r"\w+", function.parameters + function.text))
-            assert not words & {*FOREIGN, *FOREIGN_FUNCTIONS}, (chart.phi, name)
+            assert not words(c99.scalar(program, {})) & {*FOREIGN, *FOREIGN_FUNCTIONS}, (chart.phi, name)
+
+
+def test_geometry_has_lower_case_names():
+    """Expect no capital letters: short names in capitals are macros of many libraries."""
+    for table in TABLES:
+        for core in shared_geometry(table)["cores"]:
+            assert words(core) == {word.lower() for word in words(core)}, core.name
 
 
 def test_headers_compile_among_foreign_macros(headers, tmp_path):
@@ -53,6 +68,25 @@ def test_even_orders_need_no_library(headers, tmp_path):
     calls = " ".join(f"{prefix(chart, table)}_{call};" for table in TABLES for call in CALLS)
     text = f"{includes([chart])}void f(const double *v, double *T);\nvoid f(const double *v, double *T) {{ {calls} }}\n"
     assert checked(text, headers, tmp_path, "-ffreestanding", "-DDUALCAY_FREESTANDING") == ""
+
+
+@pytest.mark.parametrize("table", TABLES, ids=["poses", "rotations"])
+def test_a_switch_is_that_of_the_numpy_kernels(headers, table, tmp_path):
+    """Compare vector, rate and covariance beyond half a turn, where all of them change."""
+    chart, n = Cayley(3), 6 if table is POSES else 3
+    source = tmp_path / "some.c"
+    source.write_text(includes([chart]), encoding="utf-8")
+    command = ["gcc", "-std=c99", "-O0", "-DDUALCAY_FUNCTION=", "-shared", "-fPIC", f"-I{headers}", str(source)]
+    subprocess.run([*command, "-lm", "-o", str(tmp_path / "some.so")], check=True)
+    switch = getattr(ctypes.CDLL(str(tmp_path / "some.so")), f"{prefix(chart, table)}_switch")
+    module = cayley3 if table is POSES else rotation.cayley3
+    v = module.from_exponential(np.array([2.0, -3.0, 1.5, 0.4, 0.7, -0.3])[:n])
+    root = np.arange(1.0, n * n + 1).reshape(n, n) % 7 - 3
+    given = (v, np.linspace(-1, 2, n), root @ root.T)
+    found = [np.empty_like(array) for array in given]
+    switch(*(np.ctypeslib.as_ctypes(array.reshape(-1)) for array in (*given, *found)))
+    for one, other in zip(found, module.switch(*given), strict=True):
+        np.testing.assert_allclose(one, other, rtol=0, atol=1e-13 * abs(other).max())
 
 
 @pytest.mark.skipif(not shutil.which("cmake"), reason="CMake is not installed")
