@@ -185,6 +185,8 @@ def method() -> list[str]:
         "(`benchmarks/worst_cases.json`). "
         "`make accuracy` measures, and writes this page.",
         "",
+        "<details><summary>Sizes of errors, and smaller gates</summary>",
+        "",
         "Errors are in eps of the type, and of a size. The size of a real or dual part of a result is its norm, plus "
         "the norms of its changes per relative change of every component of the arguments. A product of operators may "
         "also be off by a rounding of each. The larger error of the parts is shown. Roundings of subnormal numbers are "
@@ -193,6 +195,8 @@ def method() -> list[str]:
         f"No function may be off by more than {families.GATE} eps up to n = 8, of which some promise less: "
         + "; ".join(promised())
         + ". On shadows of higher orders p and q are alternating sums, and errors grow with n.",
+        "",
+        "</details>",
         "",
     ]
 

@@ -12,7 +12,8 @@ from dataclasses import replace
 from .deciding.changes import mended, needed, vacuous
 from .deciding.claim import ORDERS, Claim
 from .deciding.conditions import is_sharp
-from .deciding.finding import Finding, Outcome, decided, outside_words, shown_at
+from .deciding.counterexample import outside_words, shown_at
+from .deciding.finding import Finding, Outcome, decided
 from .deciding.places import places
 from .deciding.proof import proved
 from .equation import Entry, Reading, UndecidedError, require_complete

@@ -14,7 +14,7 @@ from derive.codegen.signatures import POSES
 from tests.support import packages, sampling
 from tests.support.derivatives import GATE, OF_AXIS, Case, above_gate, by_jax, by_torch, tries
 from tests.support.kernels import load
-from tests.support.libraries import LIBRARIES, QUICKLY
+from tests.support.libraries import LIBRARIES, QUICKLY, jax
 
 pytestmark = pytest.mark.filterwarnings("ignore:.torch.jit:DeprecationWarning")  # PyTorch's own, in forward mode
 SEED, BY_TORCH, BY_JAX = 3, 16, 1
@@ -55,6 +55,19 @@ def test_derivatives_of_every_function_at_rest(package):
     modules = {chart: importlib.import_module(f"{package}.{chart}") for chart in AT_REST}
     found = {f"{chart}.{case.row.name}": case.error_at_rest(modules[chart]) for chart, case in cases}
     assert {name: error for name, error in found.items() if not error <= GATE} == {}
+
+
+NEAR_REST = (0.0, 1e-300, 1e-20, 1e-16, 1e-12, 1e-8, 1e-4, 0.1)
+
+
+@pytest.mark.parametrize("chart", ["exponential", "sine3"])
+def test_maps_there_and_back_are_the_identity(package, chart):
+    """Allow 2000 eps of the identity; derivatives of quotients that cancel lose all digits at short vectors."""
+    LIBRARIES["jax"]()
+    module = importlib.import_module(f"{package}.{chart}")
+    v = np.array([[size, size / 2, 0, 1, 2, 3] for size in NEAR_REST])
+    found = jax.vmap(jax.jacfwd(lambda v: module.from_pose(module.pose(v))))(v)
+    np.testing.assert_allclose(found, np.broadcast_to(np.eye(6), found.shape), rtol=0, atol=2000 * 2.0**-52)
 
 
 def test_derivatives_of_a_map(package):

@@ -19,26 +19,13 @@ from derive.codegen.targets.c import levels, programs
 from derive.codegen.validation.c_text import prefix
 from derive.maps import Cayley
 from tests.support import packages
+from tests.support.compilers import FOREIGN, FOREIGN_FUNCTIONS, WARNINGS
 
 pytestmark = [pytest.mark.compiler, pytest.mark.thorough]
 
 ROOT = Path(__file__).parents[2]
 ORDERS = packages.ORDERS["c"]
 TABLES = (POSES, ROTATIONS)
-STRICT = (
-    "-Wall", "-Wextra", "-Wshadow", "-Wconversion", "-Wstrict-aliasing", "-Wundef", "-Wdouble-promotion",
-    "-Wfloat-equal", "-Werror", "-pedantic",
-)  # fmt: skip
-FOREIGN = (
-    # macros of windows.h, Arduino.h, X.h, termios.h and complex.h that begin with no prefix
-    "near", "far", "small", "hyper", "interface", "pascal", "cdecl", "IN", "OUT", "OPTIONAL", "CONST", "VOID", "ERROR",
-    "DELETE", "TRUE", "FALSE", "PI", "HALF_PI", "TWO_PI", "EULER", "DEG_TO_RAD", "HIGH", "LOW", "INPUT", "OUTPUT",
-    "CHANGE", "RISING", "FALLING", "DEFAULT", "EXTERNAL", "SERIAL", "DISPLAY", "SS", "A0", "A1", "A2", "A3", "None",
-    "Bool", "Status", "True", "False", "Success", "Always", "Above", "Below", "Unsorted", "Complex", "B0", "B50", "B75",
-    "B110", "B300", "ECHO", "TAB0", "CR0", "NL0", "FF0", "VT0", "BS0", "I", "complex", "imaginary", "unix",
-    "linux", "sun",
-)  # fmt: skip
-FUNCTIONS = ("min", "max", "round", "sq", "bit", "radians", "degrees", "constrain", "word", "F", "lowByte", "highByte")
 FAMILIES = [("gcc", "g++"), *([("clang", "clang++")] if shutil.which("clang++") else [])]
 """Pairs of a C and a C++ compiler, by vendor."""
 
@@ -119,10 +106,10 @@ def written(folder: Path, name: str, text: str) -> Path:
 def test_headers_compile_without_a_warning(package, tmp_path, standard, real, orders, compilers):
     name = compilers["++" in standard]
     text = "#include <math.h>\n#include <stddef.h>\n" + "".join(f"#define {name} ?\n" for name in FOREIGN)
-    text += "".join(f"#define {name}(x) ?\n" for name in FUNCTIONS) + includes(orders)
+    text += "".join(f"#define {name}(x) ?\n" for name in FOREIGN_FUNCTIONS) + includes(orders)
     source = written(tmp_path, "some.cpp" if "++" in standard else "some.c", text)
     further = ("-Wold-style-cast",) if "++" in standard else ()
-    flags = (f"-std={standard}", *STRICT, *further, "-O2", f"-DDUALCAY_REAL={real}", f"-I{package}")
+    flags = (f"-std={standard}", *WARNINGS, *further, "-O2", f"-DDUALCAY_REAL={real}", f"-I{package}")
     run(tool(name), *flags, "-c", source, "-o", tmp_path / "some.o")
 
 
@@ -153,7 +140,7 @@ def test_maps_without_angles_build_without_any_library(package, tmp_path):
     calls = " ".join(f"{prefix(Cayley(8), t)}_{call};" for t in TABLES for call in called)
     calls = f"void f(const double *v, double *T) {{ {calls} }}\n"
     source = written(tmp_path, "free.c", INCLUDE_ALL + calls)
-    flags = ("-std=c99", "-ffreestanding", "-nostdinc", "-O2", *STRICT, "-DDUALCAY_FREESTANDING")
+    flags = ("-std=c99", "-ffreestanding", "-nostdinc", "-O2", *WARNINGS, "-DDUALCAY_FREESTANDING")
     stddef = Path(run(tool("gcc"), "-print-file-name=include").strip())
     run(tool("gcc"), *flags, f"-isystem{stddef}", f"-I{package}", "-c", source, "-o", tmp_path / "free.o")
     assert run(tool("nm"), "--undefined-only", tmp_path / "free.o") == ""
@@ -189,7 +176,7 @@ def test_device_qualifiers_stand_before_every_function(package, tmp_path):
 )
 def test_results_agree_with_exact_ones(package, tmp_path, compiler, order, real, flags):
     program = tmp_path / "test"
-    strict = ("-std=c99", *STRICT)
+    strict = ("-std=c99", *WARNINGS)
     source = package / f"test_cayley{order}.c"
     run(tool(compiler), *strict, *flags, f"-DDUALCAY_REAL={real}", source, "-o", program, "-lm")
     assert f"cayley{order}, {real}: " in run(program)

@@ -20,7 +20,7 @@ from ..language.printed import Number, Symbol, Term, Trait
 from ..numbers.fields import innermost
 from ..numbers.generators import Generators
 from .claim import Claim
-from .identity import ABSENT, STRICT, difference, not_negative, setting, with_free_product
+from .identity import ABSENT, STRICT, difference, not_negative, orders_of, setting, with_free_product
 from .singular import size
 
 
@@ -76,7 +76,7 @@ class Signs:
         """Return whether a number is proved to be 0 or positive, for ``a - b r`` with a root r by the squares."""
         if not a or self.field.is_positive(a):
             return True
-        for name in self.field.roots_used():
+        for _, name in self.field.extensions:
             i = self.ring.index(name)
             lone = self.ring.fraction(a.numerator.derivative(i), a.denominator)
             rest, r = a - lone * self.field.symbol(name), self.field.symbol(name)
@@ -190,9 +190,9 @@ def _partial(statement: Term, moving: bool) -> Iterator[tuple[Term, str]]:
 
 
 def ordered(claim: Claim) -> bool:
-    """Return whether the order relations that a claim states are proved."""
+    """Return whether the order relations that a claim states are proved, for all n if it is about orders."""
     try:
-        return all(_is_true(signs, claim.statement) for signs in signs_of(claim))
+        return not orders_of(claim) and all(_is_true(signs, claim.statement) for signs in signs_of(claim))
     except ABSENT:
         return False
 

@@ -12,20 +12,14 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
-from fractions import Fraction
-from itertools import pairwise
-from typing import Any
+from itertools import islice
 
-from ...algebra.element import Element, NotExactError
+from ...algebra.element import NotExactError
 from ...algebra.structures import MeaninglessError
-from ..language import operator_table
-from ..language.environment import Env
 from ..language.operations import written
-from ..language.printed import Term, Trait, latex, with_trait
-from ..language.values import Either, coefficients, equal
-from ..numbers.balls import Ball, BlurredError, precision
-from ..numbers.fields import Exact
-from ..result import Counterexample, Status
+from ..language.printed import Term, Trait, with_trait
+from ..numbers.balls import PRECISIONS, BlurredError, precision
+from ..result import Status
 from .claim import Claim, Place, RefusedError, operators
 from .conditions import exclusions, is_sharp, plain
 from .existence import ordered, undecided_parts
@@ -35,56 +29,8 @@ from .proof import ContradictionError, proved
 from .regions import REGION_MIN, Region, branched, region
 from .singular import ORDERED
 
-
-def shown_at(claim: Claim, place: Place, words: str = "") -> Counterexample:
-    """Return the letters and both sides at a point, by exact rationals if the sides are rational."""
-    with precision(256):
-        env, exact = claim.env(place), claim.env(place, Exact())
-        named = {a.name if claim.entry.of_file else latex(a): a for a in claim.letters}
-        numbers = {name: _rational(exact, a) or _numbers(env.value(a)) for name, a in named.items()}
-        letters = {name: parts for name, parts in numbers.items() if parts}
-        for proof, field in (("exact rationals", exact), ("disjoint intervals", env)):
-            with suppress(ArithmeticError, TypeError, AttributeError):
-                if found := sides(field, claim.statement):
-                    return Counterexample(words or place.label, letters, found, proof)
-    return Counterexample(words or place.label, letters, ())
-
-
-def outside_words(claim: Claim, place: Place) -> str:
-    """Return how a claim fails at a point, and whether its stated domain admits this point."""
-    where = place.on or place.label
-    admits = ", which the stated domain admits" if claim.entry.claimed is not None else ""
-    return f"{'undefined' if claim.truth(place) is None else 'false'} at {where}{admits}"
-
-
-def sides(env: Env, statement: Term) -> tuple[list[str], ...]:
-    """Return the numbers of the first two neighbouring sides of an equation that are unequal."""
-    if Trait.JOINS in statement.operator.traits:
-        return next((found for part in statement.arguments if (found := sides(env, part))), ())
-    if statement.operator is operator_table.equal:
-        for pair in pairwise(statement.arguments):
-            a, b = (env.now(env.value(side)) for side in pair)
-            if not equal(env.field, a, b):
-                return _numbers(a), _numbers(b)
-    return ()
-
-
-def _rational(env: Env, letter: Any) -> list[str]:
-    with suppress(ArithmeticError, TypeError, AttributeError):
-        return _numbers(env.value(letter))
-    return []
-
-
-def _numbers(value: Any) -> list[str]:
-    """Return the numbers of a value; none if it contains other things, or balls beside fractions."""
-    first = value.first if isinstance(value, Either) else value
-    if isinstance(first, bool):
-        return []
-    found = [a.ring.value(a.numerator) / a.ring.value(a.denominator) if isinstance(a, Element) else a
-             for a in coefficients(first)]  # fmt: skip
-    return [str(a) for a in found] if all(isinstance(a, int | Fraction | Ball) for a in found) else []
-
-
+DIGITS_TRIED = 4
+"""Number of points at which an equality without a proof is tried with more digits."""
 SHOWN = 3
 """Largest number of parts without a proof that are named."""
 POINTS_MIN = 6
@@ -167,14 +113,25 @@ def _with_proof(claim: Claim, finding: Finding) -> Finding:
         how = "exact" if not finding.cuts and ordered(claim) else None
     else:
         how = (proved(within) if within is claim else None) or identical(within)
-    if how is None:
-        return _unproved(finding, "")
+    if how is None and (place := _failing_at_more_digits(claim, finding.true)) is not None:
+        method = f"refuted at {place.label}, with {PRECISIONS[-1]} bits"
+        return Finding(Status.FALSE, method, finding.points, "exact", failing=place)
+    if how is None or ", n = " in how:
+        return _unproved(finding, how or "")
     if without := undecided_parts(within, finding.needed):
         shown = ", ".join(dict.fromkeys(written(claim.entry.contracted(part)) for part in without[:SHOWN]))
         return _unproved(finding, f"{how} where both sides have a value, which is open for {shown}")
-    if not how.startswith(("exact", MODULO)) or (how.startswith("exact, n =")):
-        how = f"{how}; {finding.method}"
     return replace(finding, method=how, certainty=MODULO if how.startswith(MODULO) else "exact")
+
+
+def _failing_at_more_digits(claim: Claim, places: Iterable[Place]) -> Place | None:
+    """Return the first of a few points at which more digits show that the sides differ."""
+    with precision(PRECISIONS[-1]):
+        for place in islice((place for place in places if place.exact), DIGITS_TRIED):
+            with suppress(ArithmeticError, BlurredError):
+                if not claim.env(place).value(claim.statement):
+                    return place
+    return None
 
 
 def _unproved(finding: Finding, known: str) -> Finding:
@@ -214,7 +171,7 @@ def _at_points(claim: Claim) -> Finding:
     status = Status.HOLDS_IF if condition else Status.HOLDS
     asked = tuple(term for one in exclusions(claim, _inside(at, within)) if (term := one.term) is not None)
     if within is not None and within.strict in condition:
-        asked = (*asked, *within.interior)
+        asked, within = (*asked, *within.interior), replace(within, terms=within.interior)
     return Finding(
         status, method, at.points, "evidence", condition, cuts, None, outside, tuple(at.true), asked, within
     )  # fmt: skip

@@ -24,7 +24,7 @@ from ..numbers.generators import Generators
 from ..numbers.kinds import ORDER
 from ..numbers.residues import SURE_BITS, Residues, UnluckyError
 from .claim import Claim, kind, operators
-from .polar import Polar, bounds
+from .polar import Polar, bounds, closed_letters
 from .proof import steps_of
 
 PRIMES_MAX = 40
@@ -49,10 +49,16 @@ def identical(claim: Claim) -> str | None:
     for prove, how in ((proved_exactly, "exact"), (proved_modulo, f"{MODULO}, error < 2^-{SURE_BITS}")):
         try:
             if prove(claim):
-                return how
+                return f"{how}{orders_of(claim)}"
         except NotExactError:
             continue
     return None
+
+
+def orders_of(claim: Claim) -> str:
+    """Return the orders at which a claim is proved here, if it is about orders."""
+    found = {value: None for fixed in claim.choices for a, value in fixed.items() if a.quantity is ORDER}
+    return f", n = {', '.join(map(str, found))}" if found else ""
 
 
 def proved_modulo(claim: Claim) -> bool:
@@ -121,7 +127,8 @@ def setting(
     """
     domain = [] if claim.entry.claimed is None else conjuncts(claim.entry.claimed)
     steps = lcm(steps_of(claim.statement), *(4 * n for a, n in fixed.items() if a.quantity is ORDER))
-    letters = Polar(claim.coordinates, claim.depth, bounds(domain), partial(make, steps=steps, signs=signs), real)
+    field = partial(make, steps=steps, signs=signs)
+    letters = Polar(claim.coordinates, claim.depth, bounds(domain), field, closed_letters(domain), real)
     env = Env(letters.field, letters.values | dict(fixed), claim.entry.definitions, False, claim.depth)
     for part in domain:
         if part.operator.name in STRICT:

@@ -7,7 +7,7 @@ one direction.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from fractions import Fraction
 from typing import Any
 
@@ -92,15 +92,16 @@ class Polar:
 
     def __init__(
         self, letters: Sequence[Symbol], depth: int, bounds: Mapping[str, tuple[Bound, Bound]],
-        field: Callable[[Sequence[str], Mapping[str, tuple[Bound, Bound]], Sequence[str]], Generators],
-        real: bool = False,
+        field: Callable[..., Generators], closed: Collection[str] = (), real: bool = False,
     ) -> None:  # fmt: skip
         self.depth = depth
         stems = {a: coordinates(a, bounds, real) for a in letters}
         intervals = {f"{a.name}.{stem}": ends for a in letters for stem, ends in stems[a].items()}
         names = [name + dots for name in intervals for dots in ("", *RATES[:depth])]
         integers = [f"{a.name}.0" for a in letters if KINDS[a.quantity.name].spread == "integer"]
-        self.field = field(names, {name: ends for name, ends in intervals.items() if ends != ALL}, integers)
+        ranges = {name: ends for name, ends in intervals.items() if ends != ALL}
+        shut = {name for name in ranges if name.split(".")[0] in closed}
+        self.field = field(names, ranges, integers, closed=shut)
         self.values = {a: self._value(a, list(stems[a])) for a in letters}
 
     def _value(self, letter: Symbol, stems: Sequence[str]) -> Any:
@@ -125,6 +126,11 @@ def bounds(parts: Sequence[Term]) -> dict[str, tuple[Bound, Bound]]:
         least, most = found.get(letter, ALL)
         found[letter] = max(least, low), min(most, high)
     return found
+
+
+def closed_letters(parts: Sequence[Term]) -> set[str]:
+    """Return the letters with a bound that the domain includes."""
+    return {row[0] for part in parts if part.operator.name in ("at most", "at least") for row in _bound(part)}
 
 
 def _bound(part: Term) -> Iterator[tuple[str, Bound, Bound]]:

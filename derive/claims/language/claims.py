@@ -16,7 +16,7 @@ from .names import Abbreviation, ClaimError, Kind, KindError, Scope, call, latex
 from .operations import CONSTANTS, OPERATIONS
 from .printed import Number, Symbol, Term
 
-POWER_MAX = 64
+POWER_MAX, NUMERAL_POWER_MAX = 64, 1000
 """Largest power that is a written number."""
 COUNTED = ("sum", "all")
 """Operations over an integer letter, which is their first argument."""
@@ -157,8 +157,9 @@ class Reader:
         result = names.power_kind(kind, of)
         written = integer(node.right)
         if written is not None:
-            if abs(written) > POWER_MAX:
-                raise self.error(f"powers are numbers up to {POWER_MAX}, got {written}", node.right)
+            most = POWER_MAX if integer(node.left) is None else NUMERAL_POWER_MAX
+            if abs(written) > most:
+                raise self.error(f"powers are numbers up to {most}, got {written}", node.right)
             exponent = Number(written)
         elif isinstance(node.right, ast.BinOp) and isinstance(node.right.op, ast.Pow) and _constant(node.right):
             raise self.error("a power of a power of numbers is too large", node.right)

@@ -237,6 +237,10 @@ det = define("det", r"\det {0}", "det {0}", PRODUCT, (ATOM,), lambda env, a: val
 trace = define("trace", r"\operatorname{{trace}} {0}", "trace {0}", PRODUCT, (ATOM,),
                lambda env, a: sum(row[i] for i, row in enumerate(matrix.rows_of(a))))
 vect = define("vect", r"\operatorname{{vect}} {0}", "vect {0}", PRODUCT, (ATOM,), lambda env, a: values.vect(a))
+quaternion_scalar = define("scalar of quaternion", r"\operatorname{{Sc}} {0}", "Sc {0}", PRODUCT, (ATOM,),
+                           lambda env, a: values.quaternion(a).scalar)
+quaternion_vector = define("vector of quaternion", r"\operatorname{{Vec}} {0}", "Vec {0}", PRODUCT, (ATOM,),
+                           lambda env, a: values.quaternion(a).vector)
 conjugate = define("conjugate", "{0}^{{*}}", "{0}*", POWER, (ATOM,), lambda env, a: values.quaternion(a).conjugate())
 rate = define("rate", r"\dot{{{0}}}", "{0}˙", ATOM, (ATOM,), lambda env, a: env.rate(a), traits=Trait.RATE)
 ddt = define("ddt", r"\frac{{d}}{{dt}} {0}", "d/dt{0}", PRODUCT, (PRODUCT,), lambda env, a: env.rate(a),

@@ -12,19 +12,19 @@ of `signs`, and a claim is proved if it is true for all of them.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from contextlib import suppress
 from fractions import Fraction
 from functools import cached_property
 from itertools import combinations
-from math import comb, prod
+from math import prod
 from typing import Any
 
 import sympy
 
 from ...algebra.element import Element, NotExactError
 from .fields import Field
-from .signed import Bound, Signed
+from .signed import Bound, Signed, turns_to_principal, vanishing_at
 
 POOLS = {"tangent": 7, "exponential": 2, "root": 4, "logarithm": 4, "angle": 4, "turn": 3}
 """Number of generators of the exact field that are given a meaning when a formula needs one; a turn is an integer."""
@@ -37,17 +37,19 @@ Monomial = tuple[tuple[str, int], ...]
 class Generators(Field):
     """Rational functions of independent generators, with sines, exponentials, logarithms and roots.
 
-    Multiples of ``m/steps`` have exact sine and cosine, for every monomial m of the names. `ranges` gives open
-    intervals of names, `integers` the names of integers, `signs` the signs of the first roots of unknown sign.
+    Multiples of ``m/steps`` have exact sine and cosine, for every monomial m of the names. `ranges` gives intervals of
+    names, closed ones for names in `closed`; `integers` are the names of integers, and `signs` the signs of the first
+    roots of unknown sign.
     """
 
     pools: Mapping[str, int] = POOLS
 
     def __init__(
         self, names: Sequence[str], ranges: Mapping[str, tuple[Bound, Bound]], integers: Sequence[str], steps: int,
-        signs: Sequence[int] = (),
+        signs: Sequence[int] = (), closed: Collection[str] = (),
     ) -> None:  # fmt: skip
         self.names, self.given, self.steps, self.signs = tuple(names), dict(ranges), steps, list(signs)
+        self.closed = closed
         self.integers = {*integers, *self.pool("turn")}
         self.roots: list[Any] = []  # roots of unknown sign, up to this sign
         self.meanings: dict[tuple[str, Monomial], str] = {}  # generators of tangents and exponentials
@@ -61,7 +63,7 @@ class Generators(Field):
     def ring(self) -> Any:
         """Ring of all generators; roots come first, since a relation eliminates its first generator."""
         first, *others = map(self.pool, ("root", "turn", "angle", "logarithm", "tangent", "exponential"))
-        return Signed([*first, *self.names, "pi", *(name for pool in others for name in pool)], self.given)
+        return Signed([*first, *self.names, "pi", *(name for pool in others for name in pool)], self.given, self.closed)
 
     def pool(self, what: str) -> list[str]:
         """Return the generators for a tangent, an exponential, a root, a logarithm, an angle or a number of turns."""
@@ -88,7 +90,7 @@ class Generators(Field):
 
     def is_positive(self, a: Any) -> bool:
         """Return whether a number that is not 0 is proved to be positive, or not negative by an assumption."""
-        for known in (self.element(1), *self.assumed):
+        for known in (self.element(1), *filter(None, self.assumed)):
             with suppress(NotExactError):
                 return bool((a / known).sign() > 0)
         return False
@@ -115,17 +117,10 @@ class Generators(Field):
         """Set the interval of a tangent by that of its angle."""
         low, high = self._interval(monomial)
         if max(abs(low), abs(high)) < self.steps * sympy.pi:
-            ends = [self._end(end) for end in (low, high) if end]
+            ends = [vanishing_at(end, self.steps) for end in (low, high) if end]
             known = [end for end in ends if end is not None]
+            self.ring.closed |= {name} if monomial[0][0] in self.closed else set()
             self.ring.restrict(name, *(sympy.tan(end / (2 * self.steps)) for end in (low, high)), known)
-
-    def _end(self, end: Bound) -> Any:
-        """Return the polynomial in a tangent that vanishes where its angle is a multiple of π; None for other ends."""
-        if not (end / sympy.pi).is_Rational:
-            return None
-        x, steps = sympy.Symbol("x"), 2 * self.steps * (end / sympy.pi).q
-        imaginary = {(k,): comb(steps, k) * (-1) ** (k // 2) for k in range(1, steps + 1, 2)}  # of (1 + i x)**steps
-        return sympy.Poly(imaginary, x)
 
     # ---- roots -------------------------------------------------------------------------------------------------------
 
@@ -136,10 +131,6 @@ class Generators(Field):
         a = self.element(a)
         found = self.root(a)
         return self.new_root(a) if found is None else self.chosen(found)
-
-    def roots_used(self) -> list[str]:
-        """Return the generators of roots."""
-        return [name for _, name in self.extensions]
 
     def absolute(self, a: Any) -> Any:
         return self.chosen(a) if isinstance(a, Element) else super().absolute(a)
@@ -290,21 +281,13 @@ class Generators(Field):
             for k in (k for k in range(-2 * self.steps, 2 * self.steps + 1) if k):
                 c, s = self._of_monomial(monomial, Fraction(k, self.steps))
                 if self._along(y, x, s, c):
-                    turns = self._turns(monomial, Fraction(k, self.steps))
+                    turns = turns_to_principal(Fraction(k, self.steps), *self._interval(monomial))
                     turned = 2 * self.pi * (self.symbol(self._next("turn")) if turns is None else turns)
                     return angle * Fraction(k, self.steps) + turned
         return None
 
     def _product(self, monomial: Monomial) -> Any:
         return prod((self.symbol(name) ** power for name, power in monomial), start=self.element(1))
-
-    def _turns(self, monomial: Monomial, part: Fraction) -> int | None:
-        """Return the number of turns that brings a multiple of an angle into (−π, π] for all its values, or None."""
-        ends = [sympy.Rational(part.numerator, part.denominator) * end for end in self._interval(monomial)]
-        if not all(end.is_finite for end in ends):
-            return None
-        turns = int(sympy.ceiling((-sympy.pi - min(ends)) / (2 * sympy.pi)))
-        return turns if max(ends) + 2 * sympy.pi * turns <= sympy.pi else None
 
     def _asin(self, a: Any) -> Any:
         return self._atan2(a, self._sqrt(1 - self.element(a) ** 2))

@@ -1,10 +1,10 @@
-"""Rational functions of generators in open intervals, and which of them have one sign there."""
+"""Rational functions of generators in intervals, and which of them have one sign there."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from fractions import Fraction
-from math import prod
+from math import comb, prod
 from typing import Any
 
 import sympy
@@ -21,12 +21,18 @@ Bound = Any  # SymPy's number, a multiple of π or rational; ∞ if there is non
 
 
 class Signed(RationalFunctions):
-    """Rational functions of generators in open intervals; only numbers of one sign there have a sign."""
+    """Rational functions of generators in intervals; only numbers of one sign there have a sign.
 
-    def __init__(self, names: Sequence[str], ranges: Mapping[str, tuple[Bound, Bound]]) -> None:
+    Intervals are open, but for names in `closed`: their ends count where a number must not be 0.
+    """
+
+    def __init__(
+        self, names: Sequence[str], ranges: Mapping[str, tuple[Bound, Bound]], closed: Collection[str] = ()
+    ) -> None:
         point = {name: Fraction(int(sympy.prime(i + 5)), 7) for i, name in enumerate(names)}
         super().__init__(names, point | {"pi": Fraction(355, 113)})
         self.ranges: dict[str, tuple[Bound, Bound]] = {}
+        self.closed = set(closed)
         self.positive = [False] * len(self.names)
         self._known: dict[tuple[str, bool], bool] = {}  # definite polynomials by their text
         self._ends: dict[str, Any] = {}
@@ -70,21 +76,29 @@ class Signed(RationalFunctions):
         positive = self.positive
         even = all(power % 2 == 0 or sign for powers in terms for power, sign in zip(powers, positive, strict=True))
         if even and len({c > 0 for c in terms.values()}) == 1:
-            apart = (all(sign or not power for power, sign in zip(powers, positive, strict=True)) for powers in terms)
+            apart = (all(self._is_apart(i) for i, power in enumerate(powers) if power) for powers in terms)
             return not strict or any(apart)
         if len(used) == 1:
             (i,) = used
-            return self._has_no_root(self.names[i], {powers[i]: c for powers, c in terms.items()})
+            ends = strict and self.names[i] in self.closed
+            return self._has_no_root(self.names[i], {powers[i]: c for powers, c in terms.items()}, ends)
         return _is_definite_form(terms, sorted(used), strict)
 
-    def _has_no_root(self, name: str, terms: Mapping[int, Fraction]) -> bool:
-        """Return whether a polynomial in one generator has no root in its open interval, by Sturm's theorem."""
+    def _is_apart(self, i: int) -> bool:
+        """Return whether a generator is never 0, as it is positive."""
+        name = self.names[i]
+        return self.positive[i] and (name not in self.closed or bool(self.ranges[name][0] > 0))
+
+    def _has_no_root(self, name: str, terms: Mapping[int, Fraction], ends: bool) -> bool:
+        """Return whether a polynomial in one generator has no root in its interval, by Sturm's theorem."""
         x, (low, high) = sympy.Symbol("x"), self.ranges.get(name, (-sympy.oo, sympy.oo))
         a = sympy.Poly({(k,): sympy.Rational(c.numerator, c.denominator) for k, c in terms.items()}, x)
-        for end in (low, high):
+        for end in () if ends else (low, high):
             while end.is_Rational and a.degree() > 0 and a.rem(sympy.Poly(x - end, x)).is_zero:
                 a = a.quo(sympy.Poly(x - end, x))
         at_ends = a.gcd(prod(self._ends.get(name, ()), start=sympy.Poly(1, x)))
+        if ends and at_ends.degree() > 0:
+            return False
         while at_ends.degree() > 0 and (shared := a.gcd(at_ends)).degree() > 0:
             a = a.quo(shared)
         inner, outer = (_rational(low, high, margin) for margin in (MARGIN, -MARGIN))
@@ -125,3 +139,21 @@ def _rational(low: Bound, high: Bound, margin: Fraction) -> tuple[Bound, Bound]:
         return sympy.Rational(str(end.evalf(30))) + sign * shift
 
     return near(low, 1), near(high, -1)
+
+
+def vanishing_at(end: Bound, steps: int) -> Any:
+    """Return the polynomial in ``tan(angle/2 steps)`` that vanishes at a multiple of π; None for another angle."""
+    if not (end / sympy.pi).is_Rational:
+        return None
+    power = 2 * steps * (end / sympy.pi).q
+    imaginary = {(k,): comb(power, k) * (-1) ** (k // 2) for k in range(1, power + 1, 2)}  # of (1 + i x)**power
+    return sympy.Poly(imaginary, sympy.Symbol("x"))
+
+
+def turns_to_principal(part: Fraction, low: Bound, high: Bound) -> int | None:
+    """Return the number of turns that brings a multiple of each angle of an interval into (−π, π], or None."""
+    ends = [sympy.Rational(part.numerator, part.denominator) * end for end in (low, high)]
+    if not all(end.is_finite for end in ends):
+        return None
+    turns = int(sympy.ceiling((-sympy.pi - min(ends)) / (2 * sympy.pi)))
+    return turns if max(ends) + 2 * sympy.pi * turns <= sympy.pi else None

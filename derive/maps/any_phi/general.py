@@ -142,7 +142,7 @@ class GeneralAtAngle(GeneralScalars):
         self.fi = fi
         # below the limit, an unused angle at which all functions are regular
         beside = plus(angle - angle, chart.far.edge / 2, m, "beside")
-        self.far_angle = m.name("far", m.where(self.is_near, beside, m.abs(angle)))
+        self.far_angle = m.name("distant", m.where(self.is_near, beside, m.abs(angle)))
 
 
 @dataclass(frozen=True)

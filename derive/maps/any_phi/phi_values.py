@@ -264,7 +264,7 @@ class Lengths:
         self.m, self.angle, self.mark, self.near = m, angle, mark, near
         limit = near.limit
         self._known: dict[int, Coefficient] = {}
-        self.is_near = m.name(f"small{mark}", m.less(limit.denominator * square, limit.numerator))
+        self.is_near = m.name(f"closeby{mark}", m.less(limit.denominator * square, limit.numerator))
         self.square = m.name(f"squaren{mark}", m.where(self.is_near, square, square - square))
         self.side = m.name(f"sideof{mark}", m.where(m.less(angle, 0), -1, 1))
         beside = plus(angle - angle, end / 2, m, f"between{mark}")  # an unused angle

@@ -13,6 +13,8 @@ import sympy
 
 import derive
 from derive.algebra.arithmetic import PLAIN
+from derive.codegen.signatures import POSES
+from derive.codegen.validation.samples import at_numbers
 from derive.maps import PhiError, parameterization
 from derive.maps.any_phi import edges, first_guess, intervals, rounding
 from derive.maps.any_phi.expressions import parsed
@@ -229,6 +231,14 @@ def test_floats_find_the_angle_near_the_least_slope_and_the_pole(text: str) -> N
         found = chart.far_angle(r * r, r, PLAIN)
         allowed = 8 * np.finfo(float).eps * (_noise(chart.phi, exact) + r) / phis.slope(text, exact)
         assert abs(found - exact) <= allowed + 2 * np.finfo(float).eps * exact, angle
+
+
+def test_kernels_are_validated_where_the_slope_is_least() -> None:
+    text = "alpha + 0.999999*sin(8*alpha)/8"
+    least = float(phis.value(text, mpmath.pi / 8))
+    calls = at_numbers(parameterization(text, "mine"), POSES)
+    lengths = [float(mpmath.norm(case.arguments[0][:3])) for case in calls if case.row.arguments[0].vector]
+    assert min(abs(length - least) for length in lengths) < 1e-12
 
 
 KERNELS = [

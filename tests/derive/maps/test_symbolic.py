@@ -107,6 +107,7 @@ def test_derivatives_equal_those_of_the_kernels(name: str, tmp_path: Path) -> No
 def test_latex_reads_back_and_defines_its_letters(name: str) -> None:
     chart = chart_of(name)
     lines = [line.removesuffix(" \\\\").split(" &= ") for line in chart.latex().splitlines()[1:-1]]
+    assert {r"\alpha", "u"} <= {left for left, _ in lines}
     s, w = chart.quaternion.coefficients
     (fi, _, hi), (f, g, h) = chart.tangent_inv.coefficients, chart.tangent.coefficients
     values = {"s": s, "w": w, "f": f, "g": g, "h": h, "f_i": 2 * fi, "h_i": 2 * hi, r"\varphi(\alpha)": chart.phi}

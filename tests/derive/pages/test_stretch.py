@@ -115,6 +115,13 @@ def test_chart_without_kernels_is_compared_with_the_reason(monkeypatch):
     assert comparison_forms.FORMS["text"]([row]).count(" - │") == len(row.operations)
 
 
+def test_the_reason_is_said_beside_the_figures():
+    done = dualcay("compare", "--phi", "atanh(alpha/5)")
+    assert done.returncode == 0
+    assert "condition of Re T" in done.stdout
+    assert "grows like a logarithm near its edge" in done.stderr
+
+
 def test_a_plot_is_written(tmp_path: Path):
     pytest.importorskip("matplotlib")
     assert dualcay("compare", "-n", "2", "--plot", str(tmp_path / "plot.svg")).returncode == 0

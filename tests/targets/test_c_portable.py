@@ -1,0 +1,102 @@
+"""C headers among foreign macros, with strict warnings, without a library, and in CMake projects of C++ alone."""
+
+from __future__ import annotations
+
+import ctypes
+import re
+import shutil
+import subprocess
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import derive
+from derive.codegen.signatures import POSES, lower_chart
+from derive.codegen.targets import c99
+from derive.codegen.targets.c import shared_geometry
+from derive.codegen.validation.c_text import prefix
+from derive.maps import Cayley, family
+from dualcay import cayley3, rotation
+from tests.support.compilers import FOREIGN, FOREIGN_FUNCTIONS, WARNINGS
+from tests.support.scalars import TABLES, includes
+
+pytestmark = pytest.mark.compiler
+
+OWN = ("alpha/(1 + alpha**2/40)", "cbrt(3*(alpha - sin(alpha))/4)", "tan(alpha/4)/cos(alpha/4)")
+"""Functions φ with a fold, with a quotient at 0, and inverted by halvings: no package of these tests has one."""
+CALLS = ("tensor(v, T)", "principal(v, T)", "shadow(v, 1, T)", "from_quaternion(v, 0, T)", "switch(v, v, v, T, T, T)")
+"""Calls of functions without an angle."""
+
+
+def checked(text: str, headers: Path, tmp_path: Path, *flags: str) -> str:
+    """Return what a C compiler says of a text."""
+    source = tmp_path / "some.c"
+    source.write_text(text, encoding="utf-8")
+    command = ["gcc", "-std=c99", *WARNINGS, *flags, "-fsyntax-only", f"-I{headers}", str(source)]
+    return subprocess.run(command, capture_output=True, text=True).stderr
+
+
+def words(function: c99.CFunction) -> set[str]:
+    """Return the names in a function, without macros of these headers."""
+    found = re.findall(r"\b[A-Za-z]\w*", function.parameters + function.text)
+    return {word for word in found if not word.startswith("DUALCAY_")}
+
+
+def test_scalars_have_no_names_of_foreign_macros():
+    for chart in (Cayley(3), family("breusing"), *(derive.Parameterization(phi, "own") for phi in OWN)):
+        for name, program in lower_chart(chart).scalars.items():
+            assert not words(c99.scalar(program, {})) & {*FOREIGN, *FOREIGN_FUNCTIONS}, (chart.phi, name)
+
+
+def test_geometry_has_lower_case_names():
+    """Expect no capital letters: short names in capitals are macros of many libraries."""
+    for table in TABLES:
+        for core in shared_geometry(table)["cores"]:
+            assert words(core) == {word.lower() for word in words(core)}, core.name
+
+
+def test_headers_compile_among_foreign_macros(headers, tmp_path):
+    text = "#include <math.h>\n#include <stddef.h>\n" + "".join(f"#define {name} ?\n" for name in FOREIGN)
+    text += "".join(f"#define {name}(x) ?\n" for name in FOREIGN_FUNCTIONS)
+    text += includes([Cayley(3), family("exponential")])
+    assert checked(text, headers, tmp_path, "-DDUALCAY_REAL=float") == ""
+
+
+def test_even_orders_need_no_library(headers, tmp_path):
+    chart = Cayley(2)
+    calls = " ".join(f"{prefix(chart, table)}_{call};" for table in TABLES for call in CALLS)
+    text = f"{includes([chart])}void f(const double *v, double *T);\nvoid f(const double *v, double *T) {{ {calls} }}\n"
+    assert checked(text, headers, tmp_path, "-ffreestanding", "-DDUALCAY_FREESTANDING") == ""
+
+
+@pytest.mark.parametrize("table", TABLES, ids=["poses", "rotations"])
+def test_a_switch_is_that_of_the_numpy_kernels(headers, table, tmp_path):
+    """Compare vector, rate and covariance beyond half a turn, where all of them change."""
+    chart, n = Cayley(3), 6 if table is POSES else 3
+    source = tmp_path / "some.c"
+    source.write_text(includes([chart]), encoding="utf-8")
+    command = ["gcc", "-std=c99", "-O0", "-DDUALCAY_FUNCTION=", "-shared", "-fPIC", f"-I{headers}", str(source)]
+    subprocess.run([*command, "-lm", "-o", str(tmp_path / "some.so")], check=True)
+    switch = getattr(ctypes.CDLL(str(tmp_path / "some.so")), f"{prefix(chart, table)}_switch")
+    module = cayley3 if table is POSES else rotation.cayley3
+    v = module.from_exponential(np.array([2.0, -3.0, 1.5, 0.4, 0.7, -0.3])[:n])
+    root = np.arange(1.0, n * n + 1).reshape(n, n) % 7 - 3
+    given = (v, np.linspace(-1, 2, n), root @ root.T)
+    found = [np.empty_like(array) for array in given]
+    switch(*(np.ctypeslib.as_ctypes(array.reshape(-1)) for array in (*given, *found)))
+    for one, other in zip(found, module.switch(*given), strict=True):
+        np.testing.assert_allclose(one, other, rtol=0, atol=1e-13 * abs(other).max())
+
+
+@pytest.mark.skipif(not shutil.which("cmake"), reason="CMake is not installed")
+def test_a_project_of_cpp_alone_takes_two_folders_of_kernels(headers, tmp_path):
+    for name in ("first", "second"):
+        shutil.copytree(headers, tmp_path / name)
+    lines = ["cmake_minimum_required(VERSION 3.21)", "project(some LANGUAGES CXX)"]
+    lines += ["add_subdirectory(first)", "add_subdirectory(second)"]
+    (tmp_path / "CMakeLists.txt").write_text("\n".join(lines) + "\n", encoding="utf-8")
+    command = ["cmake", "-S", str(tmp_path), "-B", str(tmp_path / "build")]
+    done = subprocess.run(command, capture_output=True, text=True)
+    assert (done.returncode, done.stderr) == (0, "")
+    assert "The C compiler" not in done.stdout
