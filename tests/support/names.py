@@ -64,7 +64,7 @@ PLACES: Mapping[str, Callable[[], Iterable[str]]] = {
     f"{RULES}: the rule that its row promises": lambda: ruled(POSES),
     "templates/python/interface: a method with an example": lambda: documented(POSES),
     "templates/c/public.h.j2: its comment": lambda: in_c(POSES),
-    "derive/pages/coverage.py: the theorems on which it rests": lambda: COVERAGE,
+    "derive/pages/explain.py: the theorems on which it rests": lambda: COVERAGE,
     "tests/support/oracle.py or oracle_maps.py: its value by independent code": lambda: dir(Oracle),
     "docs/reference/functions.md: a line": listed,
 }

@@ -35,6 +35,8 @@ APPROACH_MAX = 48
 def onto(claim: Claim, place: Place) -> Place | None:
     """Return a nearby point at which the equations of the stated domain hold, or None."""
     start, moved = _coordinates(claim, place, claim.constraints)
+    if not start():
+        return None  # orders alone, which do not move
 
     def left(x: Sequence[Any]) -> list[Any]:
         return [arb(c).mid() for c in gaps(claim.env(moved(x)), claim.constraints)]

@@ -7,6 +7,7 @@ factors of the number have one sign on the stated domain, or are asked to by a c
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from dataclasses import field as of_class
 from typing import Any
@@ -20,7 +21,7 @@ from ..language.printed import Number, Symbol, Term, Trait
 from ..numbers.fields import innermost
 from ..numbers.generators import Generators
 from .claim import Claim
-from .identity import ABSENT, STRICT, difference, not_negative, orders_of, setting, with_free_product
+from .identity import ABSENT, STRICT, difference, identical, not_negative, orders_of, setting, with_free_product
 from .singular import size
 
 
@@ -47,11 +48,18 @@ class Signs:
         found: Element = self.field.element(of(self.env.now(self.env.value(part))))
         return found
 
+    def _is_matrix(self, part: Term) -> bool:
+        with suppress(*ABSENT):
+            return isinstance(self.env.value(part), Tensor | Matrix)
+        return False
+
     def assume(self, part: Term) -> None:
         """Note what a relation of a stated domain, or of a condition, says of numbers."""
         name, arguments = part.operator.name, part.arguments
         try:
             if name in ("unlike", "nonzero"):
+                if self._is_matrix(difference(part)):
+                    return  # a matrix that is not 0 may have no inverse
                 self.named.extend([difference(part), *(a for a in arguments[:1] if len(arguments) == 1)])
                 self.nonzero.extend(self.ring.factors(self.number(difference(part))))
             elif name in STRICT:
@@ -129,6 +137,8 @@ def _has_value(signs: Signs, part: Term, asked: str) -> bool:
         return False
 
 
+ROOTS = tuple(Number(k) / Number(2) for k in (1, 3, 5))
+"""Exponents of powers that have a value at 0."""
 EXPANDED = ("series", "limit at")
 """Operators that fill removable singularities; that they have a value is seen when they are evaluated."""
 TURNS = ("rotation", "pose 4x4", "unit real quaternion", "orthogonal tensor", "unit quaternion")
@@ -171,9 +181,9 @@ def _partial(statement: Term, moving: bool) -> Iterator[tuple[Term, str]]:
             yield arguments[1], "not 0"
         elif name == "power" and not (isinstance(arguments[1], Number) and arguments[1].value >= 0):
             exponent = arguments[1]
-            if exponent.operator.name != "over" or exponent.arguments[1] != Number(2):
+            if exponent not in ROOTS:
                 yield arguments[0], "not 0"
-            if exponent.operator.name == "over":
+            if exponent.operator.name in ("over", "negative", "bracket"):
                 yield arguments[0], "not negative"
         elif name == "inverse" or (name == "norm" and moving):
             yield arguments[0], "not 0"
@@ -192,18 +202,19 @@ def _partial(statement: Term, moving: bool) -> Iterator[tuple[Term, str]]:
 def ordered(claim: Claim) -> bool:
     """Return whether the order relations that a claim states are proved, for all n if it is about orders."""
     try:
-        return not orders_of(claim) and all(_is_true(signs, claim.statement) for signs in signs_of(claim))
+        return not orders_of(claim) and all(_is_true(claim, signs, claim.statement) for signs in signs_of(claim))
     except ABSENT:
         return False
 
 
-def _is_true(signs: Signs, statement: Term) -> bool:
+def _is_true(claim: Claim, signs: Signs, statement: Term) -> bool:
+    """Return whether a statement is proved, and no root of unknown sign occurs in its order relations."""
     name = statement.operator.name
     if Trait.JOINS in statement.operator.traits or statement.operator is both:
-        return all(_is_true(signs, part) for part in statement.arguments)
+        return all(_is_true(claim, signs, part) for part in statement.arguments)
     if name == "unlike":
-        return signs.is_nonzero(signs.number(difference(statement)))
+        return signs.is_nonzero(signs.number(difference(statement))) and not signs.field.roots
     if name not in STRICT:
-        return bool(signs.env.value(statement))
+        return identical(claim.with_statement(statement)) is not None
     gap = signs.field.element(not_negative(signs.env, statement))
-    return signs.not_negative(gap) and (not STRICT[name] or signs.is_nonzero(gap))
+    return signs.not_negative(gap) and (not STRICT[name] or signs.is_nonzero(gap)) and not signs.field.roots

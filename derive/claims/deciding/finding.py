@@ -23,7 +23,7 @@ from ..result import Status
 from .claim import Claim, Place, RefusedError, operators
 from .conditions import exclusions, is_sharp, plain
 from .existence import ordered, undecided_parts
-from .identity import MODULO, identical
+from .identity import CUT, MODULO, identical
 from .places import Probe, places
 from .proof import ContradictionError, proved
 from .regions import REGION_MIN, Region, branched, region
@@ -109,7 +109,9 @@ def decided(claim: Claim, early: Callable[[Finding], None] = lambda finding: Non
 def _with_proof(claim: Claim, finding: Finding) -> Finding:
     """Return a decision at points with its proof: of the statement, then of the values of both sides."""
     within = claim if finding.within is None else finding.within.inside(claim)
-    if not ORDERED.isdisjoint(operators(claim.statement)):
+    if not CUT.isdisjoint(operators(claim.statement)):
+        how = None  # true at generic values, it may be false at special ones
+    elif not ORDERED.isdisjoint(operators(claim.statement)):
         how = "exact" if not finding.cuts and ordered(claim) else None
     else:
         how = (proved(within) if within is claim else None) or identical(within)

@@ -23,7 +23,7 @@ from ..numbers.fields import innermost
 from ..numbers.generators import Generators
 from ..numbers.kinds import ORDER
 from ..numbers.residues import SURE_BITS, Residues, UnluckyError
-from .claim import Claim, kind, operators
+from .claim import Claim, kind
 from .polar import Polar, bounds, closed_letters
 from .proof import steps_of
 
@@ -33,7 +33,7 @@ TESTS = 2**20
 """More equalities than a proof tests."""
 MODULO = "proved modulo a random prime"
 ROTATION, PRODUCT = "rotation", "S of rotations"
-CUT = frozenset(("floor of number", "or", "negated", "implies"))
+CUT = frozenset(("floor of number", "or", "negated", "implies", "iff"))
 """Operators that jump: a claim that is true at generic values may be false at special ones."""
 STRICT = {"less": True, "at most": False, "greater": True, "at least": False}
 """Order relations, with whether they exclude equality."""
@@ -44,7 +44,7 @@ Make = Callable[..., Generators]
 
 def identical(claim: Claim) -> str | None:
     """Return how a claim is proved at independent generators, "exact" or modulo a prime, or None."""
-    if claim.dual or not CUT.isdisjoint(operators(claim.statement)):
+    if claim.dual:
         return None
     for prove, how in ((proved_exactly, "exact"), (proved_modulo, f"{MODULO}, error < 2^-{SURE_BITS}")):
         try:
@@ -110,7 +110,7 @@ def _evaluated(
         true = env.value(claim.statement)
     except (NotExactError, UnluckyError):
         raise
-    except (ArithmeticError, TypeError, AttributeError) as error:
+    except ABSENT as error:
         raise NotExactError("no generic value") from error
     field: Any = env.field
     if isinstance(field, Residues) and not field.is_sure(TESTS):
@@ -155,7 +155,7 @@ def with_solved_equations(claim: Claim) -> Claim:
     for part in domain:
         a, b = part.arguments if part.operator.name == "equal" and len(part.arguments) == 2 else (part, part)
         for letter, value in ((a, b), (b, a)):
-            free = isinstance(letter, Symbol) and kind(letter).free == kind(letter).spread == ""
+            free = letter in claim.coordinates and kind(letter).free == kind(letter).spread == ""
             if free and letter not in symbols(value):
                 rest = [one.xreplace({letter: value}) for one in domain if one is not part]
                 entry = replace(claim.entry, claimed=reduce(both, rest) if rest else None)
