@@ -25,8 +25,9 @@ ORDER = {
         "numbers", "language", "equation", "result", "deciding", "decide", "transcript", "sheet", "run", "report",
     ),
     "derive.claims.deciding": (
-        "claim", "constrained", "singular", "zeros", "proof", "polar", "identity", "uphill", "places", "conditions",
-        "existence", "regions", "changes", "counterexample", "finding",
+        "terms", "claim", "constrained", "singular", "zeros", "polar", "identity", "proof", "uphill",
+        "places", "conditions", "existence", "regions", "changes", "counterexample", "finding",
+        "python_entries",
     ),
     "derive.papers.condurache_popa_2023": ("cp23_notation", "definitions", "sections"),
     "derive.codegen": (

@@ -16,23 +16,30 @@ from .pose import is_zero
 def tensor_exponential(a: Vector, library: Any = functions) -> Tensor:
     """Return exp(skew(a)), a rotation by |a| about a; `library` provides ``sin``, ``cos``, ``sqrt``.
 
-    For Re a = 0 the series terminates: ``skew(a)³ = −|a|² skew(a) = 0``.
+    For Re a = 0 the series in ``a · a`` terminate, also if its parts are dual numbers in turn.
     """
     square, skew = a.dot(a), Tensor.skew(a)
-    if is_zero(real_part(square)):
-        nilpotent: Tensor = Tensor.identity() + skew + skew @ skew / 2
-        return nilpotent
-    angle = library.sqrt(square)
-    R: Tensor = Tensor.identity() + skew * (library.sin(angle) / angle)
-    R += skew @ skew * ((1 - library.cos(angle)) / square)
+    if _is_nilpotent(square):
+        sinc, rest = 1 - square / 6 + square * square / 120, (1 - square / 12 + square * square / 360) / 2
+    else:
+        angle = library.sqrt(square)
+        sinc, rest = library.sin(angle) / angle, (1 - library.cos(angle)) / square
+    R: Tensor = Tensor.identity() + skew * sinc
+    R += skew @ skew * rest
     return R
+
+
+def _is_nilpotent(square: Coefficient) -> bool:
+    while isinstance(square, Dual):
+        square = square.re
+    return is_zero(square)
 
 
 def quaternion_exponential(a: Vector, library: Any = functions) -> Quaternion:
     """Return exp(a) = cos|a| + sin|a| a/|a| of a pure quaternion; a rotation by 2|a| about a."""
     square = a.dot(a)
-    if is_zero(real_part(square)):
-        return Quaternion(1 + 0 * square, a)
+    if _is_nilpotent(square):
+        return Quaternion(1 - square / 2 + square * square / 24, a * (1 - square / 6 + square * square / 120))
     angle = library.sqrt(square)
     return Quaternion(library.cos(angle), a * (library.sin(angle) / angle))
 

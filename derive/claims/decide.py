@@ -13,9 +13,9 @@ from .deciding.changes import mended, needed, vacuous
 from .deciding.claim import ORDERS, Claim
 from .deciding.conditions import is_sharp
 from .deciding.counterexample import outside_words, shown_at
-from .deciding.finding import Finding, Outcome, decided
-from .deciding.places import places
-from .deciding.proof import proved
+from .deciding.finding import Finding, decided
+from .deciding.python_entries import decided as decided_in_python
+from .deciding.python_entries import supported
 from .equation import Entry, Reading, UndecidedError, require_complete
 from .language.operator_table import both, implies
 from .language.printed import Term
@@ -28,24 +28,31 @@ def decide(
 ) -> Result:  # fmt: skip
     """Return the result of an entry of the paper with this slug, with statements about n evaluated at some orders.
 
-    The extraction of the paper's text lost some characters. `early` receives the result before the search for changes,
-    terms and constraints, which may take long. Raise UndecidedError if an entry in Python is incomplete, or the
-    computation contradicts its condition, correction or domain.
+    The extraction of the paper's text lost some characters. `early` receives the result before its correction, and the
+    search for changes, terms and constraints, which may take long. Raise UndecidedError if the entry of a transcript is
+    incomplete, or the computation contradicts its condition, correction or domain.
     """
     require_complete(entry, lost + entry.lost)
-    if entry.because is not None:
-        _support(entry, entry.because, orders)
-    claims = [_premised(Claim(entry, reading.statement, orders)) for reading in entry.readings]
+    meant = entry.meant
+    if meant.because is not None:
+        _support(meant, meant.because, orders)
+    claims = [_premised(Claim(meant, reading.statement, orders)) for reading in meant.readings]
 
     def result(*findings: Finding) -> Result:
         return _result(paper, entry, claims, findings)
 
-    findings = [_settled(claim, lambda finding: early(result(finding))) for claim in claims]
+    def tell(finding: Finding) -> None:
+        if len(claims) == 1:
+            early(result(finding))
+
+    findings = [_settled(claim, tell) for claim in claims]
     found = result(*findings)
     early(found)
-    if not entry.of_file or found.status in (Status.UNDECIDED, Status.ERRATUM, Status.AMBIGUOUS):
+    claim, finding = max(zip(claims, findings), key=lambda row: row[1].holds)
+    if found.status is Status.FALSE and (entry.corrected is not None or entry.is_transcribed):
+        found = _corrected(found, claim, finding)
+    if entry.is_transcribed or found.status in (Status.UNDECIDED, Status.ERRATUM, Status.AMBIGUOUS):
         return found
-    ((claim, finding),) = zip(claims, findings, strict=True)
     if finding.holds:
         return replace(found, vacuous=tuple(dict.fromkeys(vacuous(claim, finding.true))), needs=tuple(needed(claim)))
     for change in mended(claim, finding.failing, lambda other: decided(other).holds):
@@ -59,19 +66,18 @@ def _result(paper: str, entry: Entry, claims: Sequence[Claim], findings: Sequenc
     status, method = finding.status, finding.method
     if _is_ambiguous(entry, verdicts):
         status, method = Status.AMBIGUOUS, "; ".join(verdict.method for verdict in verdicts)
-    elif status is Status.FALSE and (entry.corrected is not None or not entry.of_file):
-        status, method = _corrected(claim, finding)
-    decisive = claim.statement if entry.corrected is None else entry.corrected
+    meant = claim.entry
+    decisive = claim.statement if meant.corrected is None else meant.corrected
     return Result(
-        paper, entry, status, method, verdicts, entry.condition is not None and is_sharp(entry.condition, decisive),
+        paper, entry, status, method, verdicts, meant.condition is not None and is_sharp(meant.condition, decisive),
         finding.certainty, finding.points, finding.found, _outside(claim, finding), cuts=finding.cuts,
     )  # fmt: skip
 
 
 def _settled(claim: Claim, early: Callable[[Finding], None]) -> Finding:
     """Return the decision of a claim; an entry in Python that cannot be decided is a mistake of ours."""
-    finding = decided(claim, early)
-    if finding.status is Status.UNDECIDED and not claim.entry.of_file:
+    finding = decided(claim, early, decided_in_python if claim.entry.in_python else None)
+    if finding.status is Status.UNDECIDED and claim.entry.is_transcribed:
         raise UndecidedError(f"({claim.entry.number}): {finding.method}")
     return finding
 
@@ -93,22 +99,24 @@ def _is_ambiguous(entry: Entry, verdicts: Sequence[Verdict]) -> bool:
     return bool(true) and (supported or (not entry.extract and len(true) < len(verdicts)))
 
 
-def _corrected(claim: Claim, finding: Finding) -> tuple[Status, str]:
-    """Return status and method of a false statement by its correction."""
+def _corrected(found: Result, claim: Claim, finding: Finding) -> Result:
+    """Return the result of a false statement with its correction, and with the condition of this."""
     entry = claim.entry
     if entry.corrected is None:
         raise UndecidedError(f"({entry.number}) is false and has no correction: {finding.method}")
-    correction = decided(claim.with_statement(entry.corrected))
+    claim = _premised(claim.with_statement(entry.corrected))
+    correction = decided(claim, in_python=decided_in_python if entry.in_python else None)
     if correction.holds:
-        return Status.ERRATUM, f"{finding.method}; correction {correction.method}"
-    if not entry.of_file:
+        method = f"{finding.method}; correction {correction.method}"
+        return replace(found, status=Status.ERRATUM, method=method, found=correction.found)
+    if entry.is_transcribed:
         raise UndecidedError(f"({entry.number}): the correction is false: {correction.method}")
-    return Status.FALSE, f"{finding.method}; the correction does not hold: {correction.method}"
+    return replace(found, method=f"{finding.method}; the correction does not hold: {correction.method}")
 
 
 def _premised(claim: Claim) -> Claim:
-    """Return the claim with the premise of an implication as part of the stated domain, of a file."""
-    while claim.entry.of_file and claim.statement.operator is implies:
+    """Return the claim with the premise of an implication as part of the stated domain."""
+    while claim.statement.operator is implies and not claim.entry.in_python:
         premise, statement = claim.statement.arguments
         claimed = premise if claim.entry.claimed is None else both(claim.entry.claimed, premise)
         claim = replace(claim, entry=replace(claim.entry, claimed=claimed), statement=statement)
@@ -117,8 +125,11 @@ def _premised(claim: Claim) -> Claim:
 
 def _support(entry: Entry, identity: Term, orders: Sequence[int]) -> None:
     """Raise unless the supporting identity is proved; points where it is undefined are ignored."""
-    claim = Claim(replace(entry, condition=None, claimed=None, also={}), identity, orders)
-    at = Outcome().tried(claim, places(claim), lambda outcome: bool(outcome.false))
-    if at.false or proved(claim) is None:
-        reason = f"false at {at.false[0].label}" if at.false else "not exact"
-        raise UndecidedError(f"({entry.number}): the supporting identity is not proved: {reason}")
+    claim = Claim(replace(entry, condition=None, claimed=None, also={}, written=identity), identity, orders)
+    if entry.in_python:
+        if wrong := supported(claim):
+            raise UndecidedError(f"({entry.number}): the supporting identity is not proved: {wrong}")
+        return
+    finding = decided(claim)  # its condition is found
+    if finding.status not in (Status.HOLDS, Status.HOLDS_IF):
+        raise UndecidedError(f"({entry.number}): the supporting identity is not proved: {finding.method}")

@@ -18,13 +18,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any, TypeAlias
 
 from ..algebra.latex import Typeset
 from .language.environment import Definition
 from .language.names import Abbreviation, contracted, expanded
-from .language.printed import Symbol, Term, latex, rate_depth, symbols, text, walk
+from .language.printed import Symbol, Term, as_usual, latex, rate_depth, symbols, text, walk
 
 
 class UndecidedError(Exception):
@@ -81,9 +81,27 @@ class Entry(Typeset):
     printed: str = ""  # LaTeX of a claim of a file, as printed
 
     @property
-    def of_file(self) -> bool:
-        """Whether the entry is a claim of a file, whose condition is found; that of an entry in Python is stated."""
-        return self.written is not None
+    def is_transcribed(self) -> bool:
+        """Whether the entry follows a text, with its condition stated; else the condition is found."""
+        return self.written is None
+
+    @property
+    def in_python(self) -> bool:
+        """Whether its definitions are functions in Python."""
+        return self.source.endswith(".py")
+
+    @property
+    def meant(self) -> Entry:
+        """The entry as it is decided: with its definitions filled in, and operators by their usual names."""
+        if not self.abbreviations:
+            return self
+
+        def filled(term: Term | None) -> Any:
+            return None if term is None else as_usual(self.expanded(term))
+
+        readings = tuple(replace(reading, statement=filled(reading.statement)) for reading in self.readings)
+        parts = {name: filled(getattr(self, name)) for name in ("claimed", "condition", "corrected", "because")}
+        return replace(self, readings=readings, where=(), **parts)
 
     @property
     def definitions(self) -> dict[Symbol, Definition]:
@@ -157,7 +175,7 @@ def faithful(reading: Term, extract: str, lost: str) -> bool:
 
 def require_complete(entry: Entry, lost: str) -> None:
     """Raise if an entry in Python lacks a part that another part needs, or does not agree with the extracted text."""
-    if entry.of_file:
+    if not entry.is_transcribed:
         return
     unfaithful = not all(faithful(reading.statement, entry.extract, lost) for reading in entry.readings)
     mistakes = {

@@ -196,7 +196,10 @@ def _serve() -> None:
         sheet = sheets.setdefault(repr(request), Sheet.made(request))
         slug, entry = sheet.slug, sheet.entries()[place]
 
-        def answer(result: Result, final: bool = False) -> None:
+        told: list[Result] = []
+
+        def answer(result: Result, final: bool = False, told: list[Result] = told) -> None:
+            told.append(result)
             own = {field.name: getattr(result, field.name) for field in fields(result)[2:]}  # without slug and entry
             pickle.dump((final, own), answers)
             answers.flush()
@@ -205,8 +208,8 @@ def _serve() -> None:
             result = decide(slug, entry, sheet.lost, early=answer)
         except UndecidedError as error:
             result = undecided(slug, entry, str(error))
-        except Exception as error:
-            result = undecided(slug, entry, f"it cannot be evaluated: {type(error).__name__}: {error}")
+        except Exception:
+            result = told[-1] if told else undecided(slug, entry, "it cannot be evaluated")
         limit(0)
         answer(result, True)
 

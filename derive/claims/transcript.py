@@ -10,8 +10,8 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
-from .deciding.claim import operators
 from .deciding.proof import COMPONENTWISE
+from .deciding.terms import operators
 from .equation import Entry, Latex, Reading
 from .language.claims import statement
 from .language.environment import Definition, Env, let

@@ -6,11 +6,13 @@ from collections.abc import Callable, Iterator
 from contextlib import suppress
 from dataclasses import replace
 from functools import partial
+from itertools import chain
 
 from derive.claims.decide import decide
+from derive.claims.deciding import python_entries
 from derive.claims.deciding.claim import Claim
-from derive.claims.deciding.places import places
-from derive.claims.equation import Entry
+from derive.claims.deciding.places import Probe
+from derive.claims.equation import Entry, Reading
 from derive.claims.language.operator_table import negated
 from derive.claims.language.printed import RELATION, Apply, Number, Symbol, Term
 from derive.claims.numbers.balls import BlurredError
@@ -69,8 +71,10 @@ def evaluated(survives: Callable[[], bool]) -> Verdict:
 
 def tried(entry: Entry, statement: Term) -> Iterator[tuple[bool, bool | None, bool]]:
     """Yield whether each point satisfies the condition, the truth there, and whether two symbols are special."""
-    claim = Claim(entry, statement)
-    for place in places(claim):
+    entry = replace(entry, readings=(Reading(statement),)).meant
+    claim = Claim(entry, entry.readings[0].statement)
+    probe = Probe(claim)
+    for place in python_entries.places(claim) if entry.in_python else chain(probe.first(), probe.zeros()):
         with suppress(BlurredError):
             inside = entry.condition is None or bool(claim.truth(place, entry.condition))
             yield inside, claim.truth(place), place.pair

@@ -1,13 +1,14 @@
 """Decision of one claim, by its points and by proof at generic values.
 
 ==============  ================================================================================
+terms           parts of terms: operators, differences of relations, what vanishes where a term does
 claim           a claim with its letters, evaluated over balls at points given by coordinates
 constrained     points moved onto the equations of a stated domain
 singular        singular parts of a formula: divisors, radicands, arguments of inverse functions
 zeros           zeros of singular parts along lines of points
-proof           proof of a claim at generic values of an exact field, for all orders where it can
 polar           letters in polar form: lengths, angles and directions
 identity        proof of a claim at independent generators, exactly or modulo a random prime
+proof           proof of a claim by one of three ways: for every order, exactly, or modulo a random prime
 uphill          corners of a bounded domain, and the way uphill from one
 places          points at which a claim may fail
 conditions      conditions of a claim, found from the points where a part has no value, and their sharpness
@@ -18,5 +19,6 @@ counterexample  numbers of a point at which a claim fails
 finding         decision of one claim: points refute it or find its condition, and a proof confirms it
 ==============  ================================================================================
 
-Each module imports only from modules above it in the table.
+Each module imports only from modules above it in the table. None of them needs `python_entries`, which
+decides entries with definitions in Python.
 """

@@ -6,7 +6,7 @@ import random
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
-from functools import cached_property
+from functools import cached_property, reduce
 from itertools import chain
 from typing import Any
 
@@ -14,13 +14,13 @@ from ...algebra import Dual, Structure
 from ...algebra.element import NotExactError
 from ..equation import Entry
 from ..language.environment import Env
-from ..language.operator_table import both, cos, epsilon, equal, negated, sin
-from ..language.printed import Apply, Number, Symbol, Term, Trait, rate_depth, symbols, walk, with_trait
+from ..language.operator_table import both, epsilon, equal, negated
+from ..language.printed import Symbol, Term, Trait, rate_depth, symbols, with_trait
 from ..numbers.balls import PRECISIONS, Ball, Balls, BlurredError, arb, precision
 from ..numbers.fields import Constants, Field
 from ..numbers.kinds import BRANCH, KINDS, ORDER, SIGN, Kind, Numbers, jet
+from .terms import at_zero
 
-RELATIONS = frozenset(("less", "at most", "greater", "at least", "unlike", "equal", "nonzero"))
 RATES_MAX = 2
 """Highest order of a time derivative for which letters have rates."""
 FURTHER = tuple(map(Fraction, (-3, -2, -1, 1, 2, 3)))
@@ -54,8 +54,17 @@ class Place:
     @property
     def exact(self) -> bool:
         """Whether all numbers are rational."""
+        return not self.values and all(isinstance(c, int | Fraction) for c in self._numbers)
+
+    @property
+    def sharp(self) -> bool:
+        """Whether all numbers have no error."""
+        return not self.values and all(arb(c).is_exact() or isinstance(c, Fraction) for c in self._numbers)
+
+    @property
+    def _numbers(self) -> Iterator[Any]:
         rows = chain(((c if isinstance(c, Iterable) else (c,)) for c in self.at.values()), self.parts.values())
-        return not self.values and all(isinstance(c, int | Fraction) for row in rows for c in row)
+        return chain.from_iterable(rows)
 
 
 @dataclass(frozen=True)
@@ -65,6 +74,7 @@ class Claim:
     entry: Entry
     statement: Term
     orders: Sequence[int] = ORDERS
+    flat: bool = False  # whether numbers have neither dual parts nor rates
 
     @cached_property
     def parts(self) -> tuple[Term, ...]:
@@ -100,12 +110,17 @@ class Claim:
     def constraints(self) -> tuple[Term, ...]:
         """Equations in the stated domain, which points must be moved to satisfy."""
         stated = self.entry.claimed
-        return tuple(_equations(stated)) if stated is not None and self.entry.of_file else ()
+        return tuple(_equations(stated)) if stated is not None else ()
+
+    @cached_property
+    def apart(self) -> bool:
+        """Whether dual parts are taken, or given."""
+        return bool(with_trait(Trait.APART, *self.parts)) or epsilon in (a for p in self.parts for a in symbols(p))
 
     @cached_property
     def dual(self) -> bool:
-        apart = bool(with_trait(Trait.APART, *self.parts)) or epsilon in (a for p in self.parts for a in symbols(p))
-        return apart or bool(self.entry.where) or any(kind(letter).dual for letter in self.coordinates)
+        dual = self.apart or bool(self.entry.where) or any(kind(letter).dual for letter in self.coordinates)
+        return dual and not self.flat
 
     @cached_property
     def depth(self) -> int:
@@ -113,16 +128,15 @@ class Claim:
         depth = max(self.entry.moving, *map(rate_depth, self.parts))
         if depth > RATES_MAX:
             raise RefusedError(f"rates are nested more than {RATES_MAX} deep")
-        return depth
+        return 0 if self.flat else depth
 
     def env(self, place: Place, field: Field | None = None) -> Env:
         """Return the environment at a point, over balls by default."""
         values: dict[Symbol, Any] = {a: value for a, value in place.at.items() if a not in self.coordinates}
         for letter in self.coordinates:
             values[letter] = self.value(letter, place, field)
-        balls = Balls(loose=not self.entry.of_file)  # an entry in Python states its condition
         values |= {a: _lifted(value) for a, value in place.values.items()}
-        return Env(field or balls, values, self.entry.definitions, self.dual, self.depth)
+        return Env(field or Balls(moving=bool(self.depth)), values, self.entry.definitions, self.dual, self.depth)
 
     @cached_property
     def _last(self) -> dict[str, Any]:
@@ -170,18 +184,16 @@ class Claim:
     def truth(self, place: Place, statement: Term | None = None) -> bool | None:
         """Return whether the claim, or another statement, is true at a point; None where it has no value.
 
-        Raise `BlurredError` if neither the second precision, nor exact numbers, nor a certain zero tell.
+        Raise `BlurredError` if neither the second precision nor exact numbers tell.
         """
-        part = self.statement if statement is None else statement
+        part = at_zero(self.statement if statement is None else statement, place.zero, self.dual)
         try:
             found: bool | None = self.evaluated(place, part, bool)
         except BlurredError:
-            field = Constants() if place.exact else Balls(loose=True) if place.zero in _related(part) else None
-            if field is None:
+            if not place.exact:
                 raise
             try:
-                with precision(PRECISIONS[0]):
-                    return bool(self.env(place, field).value(part))
+                return bool(self.env(place, Constants()).value(part))
             except (ArithmeticError, TypeError, AttributeError) as error:
                 raise BlurredError from error
         return found
@@ -195,7 +207,7 @@ class Claim:
                 except NotExactError:
                     raise
                 except ArithmeticError:
-                    if bits == PRECISIONS[-1] or not place.exact:  # else a number may only be too near 0
+                    if bits == PRECISIONS[-1] or not place.sharp:  # else a number may only be too near 0
                         return None
                 except BlurredError:
                     continue
@@ -212,14 +224,17 @@ class Claim:
     def with_statement(self, statement: Term) -> Claim:
         return replace(self, statement=statement)
 
+    def of_number(self, part: Term) -> Claim:
+        """Return the claim about the current real value of a part, if dual parts and rates do not matter for it."""
+        alone = self.within().with_statement(part)
+        matters = alone.apart or with_trait(Trait.RATE, part) or self.entry.where
+        return alone if matters else replace(alone, flat=True)
 
-def _related(statement: Term) -> tuple[Term, ...]:
-    """Return the difference of both sides of a statement's only relation, which decides it; else nothing."""
-    relations = [node for node in walk(statement) if node.operator.name in RELATIONS]
-    if len(relations) != 1:
-        return ()
-    a, *rest = relations[0].arguments
-    return (bare(a if not rest or rest[0] == Number(0) else a - rest[0]),)
+    def within(self, *terms: Term) -> Claim:
+        """Return the claim on the part of its stated domain where some terms are true, without a condition."""
+        stated = (*([] if self.entry.claimed is None else [self.entry.claimed]), *terms)
+        claimed = reduce(both, stated) if stated else None
+        return replace(self, entry=replace(self.entry, claimed=claimed, condition=None))
 
 
 def kind(letter: Symbol) -> Kind:
@@ -238,40 +253,3 @@ def _equations(domain: Term) -> Iterator[Term]:
             yield from _equations(part)
     elif domain.operator is equal:
         yield domain
-
-
-def operators(*statements: Term) -> set[str]:
-    return {node.operator.name for statement in statements for node in walk(statement)}
-
-
-def bare(part: Term) -> Term:
-    """Return a part without signs, brackets, powers, magnitudes and divisors, which vanishes at the same points."""
-    part = _quotient(part)[0]
-    name, arguments = part.operator.name, part.arguments
-    power = name == "power" and isinstance(arguments[1], Number) and arguments[1].value > 0
-    return bare(arguments[0]) if power or name in ("negative", "bracket", "norm", "root", "Re") else part
-
-
-def _quotient(part: Term) -> tuple[Term, Term | None]:
-    """Return a term as numerator and divisor; without a divisor the term itself and None."""
-    name, arguments = part.operator.name, part.arguments
-    if name in ("tan", "cot"):
-        above, below = (sin, cos) if name == "tan" else (cos, sin)
-        return above(*arguments), below(*arguments)
-    if name not in ("plus", "minus", "times", "over", "negative", "bracket"):
-        return part, None
-    (a, b), *rest = map(_quotient, arguments)
-    if not rest:
-        return (part, None) if b is None else (-a if name == "negative" else a, b)
-    ((c, d),) = rest
-    if name == "over":
-        return _product(a, d), _product(c, b)
-    if b is None and d is None:
-        return part, None
-    if name == "times":
-        return Apply("times", a, c), _product(b, d)
-    return Apply(name, _product(a, d), _product(c, b)), _product(b, d)
-
-
-def _product(a: Term | None, b: Term | None) -> Any:
-    return b if a is None else a if b is None else a * b

@@ -24,7 +24,7 @@ def shown_at(claim: Claim, place: Place, words: str = "") -> Counterexample:
     for bits in PRECISIONS:
         with precision(bits):
             env, exact = claim.env(place), claim.env(place, Exact())
-            named = {a.name if claim.entry.of_file else latex(a): a for a in claim.letters}
+            named = {latex(a) if claim.entry.is_transcribed else a.name: a for a in claim.letters}
             numbers = {name: _rational(exact, a) or _numbers(env.value(a)) for name, a in named.items()}
             letters = letters or {name: parts for name, parts in numbers.items() if parts}
             for proof, field in (("exact rationals", exact), ("disjoint intervals", env)):

@@ -21,7 +21,8 @@ from ..language.printed import Number, Symbol, Term, Trait
 from ..numbers.fields import innermost
 from ..numbers.generators import Generators
 from .claim import Claim
-from .identity import ABSENT, STRICT, difference, identical, not_negative, orders_of, setting, with_free_product
+from .identity import ABSENT, STRICT, difference, not_negative, orders_of, setting, with_free_product
+from .proof import proved
 from .singular import size
 
 
@@ -98,7 +99,7 @@ def signs_of(claim: Claim, condition: Sequence[Term] = ()) -> list[Signs]:
     found = []
     for fixed in claim.choices:
         domain = [] if claim.entry.claimed is None else [claim.entry.claimed]
-        signs = Signs(setting(claim, Generators, fixed, real=True))
+        signs = Signs(setting(claim, Generators, fixed))
         for part in (*domain, *condition):
             signs.assume(part)
         found.append(signs)
@@ -215,6 +216,6 @@ def _is_true(claim: Claim, signs: Signs, statement: Term) -> bool:
     if name == "unlike":
         return signs.is_nonzero(signs.number(difference(statement))) and not signs.field.roots
     if name not in STRICT:
-        return identical(claim.with_statement(statement)) is not None
+        return proved(claim.with_statement(statement)) is not None
     gap = signs.field.element(not_negative(signs.env, statement))
     return signs.not_negative(gap) and (not STRICT[name] or signs.is_nonzero(gap)) and not signs.field.roots

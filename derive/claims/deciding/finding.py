@@ -9,42 +9,52 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
-from itertools import islice
+from itertools import chain, islice
 
 from ...algebra.element import NotExactError
 from ...algebra.structures import MeaninglessError
 from ..language.operations import written
-from ..language.printed import Term, Trait, with_trait
+from ..language.operator_table import negated, zero
+from ..language.printed import Term
 from ..numbers.balls import PRECISIONS, BlurredError, precision
 from ..result import Status
-from .claim import Claim, Place, RefusedError, operators
+from .claim import Claim, Place, RefusedError
 from .conditions import exclusions, is_sharp, plain
 from .existence import ordered, undecided_parts
-from .identity import CUT, MODULO, identical
-from .places import Probe, places
-from .proof import ContradictionError, proved
+from .identity import CUT, MODULO, difference, orders_of
+from .places import Probe
+from .proof import proved
 from .regions import REGION_MIN, Region, branched, region
 from .singular import ORDERED
+from .terms import operators
 
+JUMPS = frozenset(("atan2 of two", "arctan", "acos", "asin", "log"))
+"""Operators that choose a branch, so that an identity at generic values may be false at special ones."""
 DIGITS_TRIED = 4
 """Number of points at which an equality without a proof is tried with more digits."""
 SHOWN = 3
 """Largest number of parts without a proof that are named."""
+WORDS: dict[type[Exception], str] = {
+    RecursionError: "its parts stand too deep in each other", OverflowError: "its numbers are too large",
+    **dict.fromkeys((TypeError, AttributeError, LookupError, ValueError),
+                    "an operation has no meaning for the values of its arguments"),
+}  # fmt: skip
+"""Reasons why a claim has no value at all."""
 POINTS_MIN = 6
 """Least number of points at which a claim is called true."""
 
 
 @dataclass
 class Outcome:
-    """Points at which a claim is true, is false, or has no value, and the number of those that did not tell."""
+    """Points at which a claim is true, is false, has no value, or that did not tell."""
 
     true: list[Place] = field(default_factory=list)
     false: list[Place] = field(default_factory=list)
     undefined: list[Place] = field(default_factory=list)
-    blurred: int = 0
+    blurred: list[Place] = field(default_factory=list)
 
     @property
     def points(self) -> int:
@@ -63,7 +73,7 @@ class Outcome:
             try:
                 self.add(claim.truth(place), place)
             except BlurredError:
-                self.blurred += 1
+                self.blurred.append(place)
             if enough(self):
                 break
         return self
@@ -90,39 +100,88 @@ class Finding:
         return self.status in (Status.HOLDS, Status.HOLDS_IF, Status.UNREFUTED)
 
 
-def decided(claim: Claim, early: Callable[[Finding], None] = lambda finding: None) -> Finding:
+def decided(
+    claim: Claim, early: Callable[[Finding], None] = lambda finding: None,
+    in_python: Callable[[Claim], Finding] | None = None,
+) -> Finding:  # fmt: skip
     """Return the decision of a claim of a file, or of an entry in Python; the first is `early` told before a proof."""
     try:
-        if not claim.entry.of_file:
-            return _in_python(claim)
-        finding = _at_points(claim)
-        if not finding.holds:
-            return finding
-        early(_unproved(finding, ""))
-        return _with_proof(claim, finding)
-    except (RefusedError, ContradictionError) as error:
+        if in_python is not None:
+            return in_python(claim)
+        return _stated(claim, early) if claim.entry.is_transcribed else _found(claim, early)
+    except RefusedError as error:
         return Finding(Status.UNDECIDED, str(error))
-    except (MeaninglessError, NotExactError, RecursionError, OverflowError) as error:
+    except (MeaninglessError, NotExactError) as error:
         return Finding(Status.UNDECIDED, f"it cannot be evaluated: {error}")
+    except tuple(WORDS) as error:
+        words = next(words for kind, words in WORDS.items() if isinstance(error, kind))
+        return Finding(Status.UNDECIDED, f"it cannot be evaluated: {words}")
 
 
-def _with_proof(claim: Claim, finding: Finding) -> Finding:
-    """Return a decision at points with its proof: of the statement, then of the values of both sides."""
-    within = claim if finding.within is None else finding.within.inside(claim)
+def _found(claim: Claim, early: Callable[[Finding], None]) -> Finding:
+    """Return the decision of a claim, with the condition under which it has a value and is true.
+
+    A claim without branches that is proved, with both sides, needs no points at zeros of its singular parts.
+    """
+    choosing = branched(*claim.parts) and ORDERED.isdisjoint(operators(claim.statement))
+
+    def enough(at: Outcome) -> bool:
+        return bool(at.false) and not choosing
+
+    probe = Probe(claim)
+    at = Outcome().tried(claim, probe.first(), enough)
+    settled = not (at.false or at.undefined or orders_of(claim)) and at.points >= POINTS_MIN
+    tried = settled and JUMPS.isdisjoint(operators(*claim.parts))
+    first = Finding(Status.HOLDS, f"true at {at.points} points", at.points, true=tuple(at.true))
+    if tried:
+        early(_unproved(first, ""))
+    how = _proof(claim) if tried else None
+    if how is not None and not undecided_parts(claim):
+        return _proved(first, how)
+    at.false += _equal_sides(claim, at.blurred)
+    if not enough(at):
+        at.tried(claim, probe.zeros(), enough)
+    finding = _at_points(probe, at, choosing)
+    if not finding.holds:
+        return finding
+    early(_unproved(finding, ""))
+    within = claim if finding.within is None else claim.within(*finding.within.terms)
+    return _with_proof(within, finding, how if tried and within is claim else _proof(within))
+
+
+def _equal_sides(claim: Claim, places: Sequence[Place]) -> list[Place]:
+    """Return the first of these points if the claim says that two sides differ, and they are proved to be equal."""
+    if not places or claim.statement.operator.name not in ("unlike", "nonzero", "less", "greater"):
+        return []
+    gap = difference(claim.statement)
+    equality = replace(claim, entry=replace(claim.entry, claimed=None), statement=zero(gap))
+    found = (place for place in places if claim.evaluated(place, gap) is not None)
+    return list(islice(found, 1)) if proved(equality) else []
+
+
+def _proof(claim: Claim) -> str | None:
+    """Return how a claim is proved where both sides have a value, or None."""
     if not CUT.isdisjoint(operators(claim.statement)):
-        how = None  # true at generic values, it may be false at special ones
-    elif not ORDERED.isdisjoint(operators(claim.statement)):
-        how = "exact" if not finding.cuts and ordered(claim) else None
-    else:
-        how = (proved(within) if within is claim else None) or identical(within)
+        return None  # true at generic values, it may be false at special ones
+    if not ORDERED.isdisjoint(operators(claim.statement)):
+        return "exact" if ordered(claim) else None
+    return proved(claim)
+
+
+def _with_proof(claim: Claim, finding: Finding, how: str | None) -> Finding:
+    """Return a decision at points with its proof: of the statement, then of the values of both sides."""
     if how is None and (place := _failing_at_more_digits(claim, finding.true)) is not None:
         method = f"refuted at {place.label}, with {PRECISIONS[-1]} bits"
         return Finding(Status.FALSE, method, finding.points, "exact", failing=place)
     if how is None or ", n = " in how:
         return _unproved(finding, how or "")
-    if without := undecided_parts(within, finding.needed):
+    if without := undecided_parts(claim, finding.needed):
         shown = ", ".join(dict.fromkeys(written(claim.entry.contracted(part)) for part in without[:SHOWN]))
         return _unproved(finding, f"{how} where both sides have a value, which is open for {shown}")
+    return _proved(finding, how)
+
+
+def _proved(finding: Finding, how: str) -> Finding:
     return replace(finding, method=how, certainty=MODULO if how.startswith(MODULO) else "exact")
 
 
@@ -142,16 +201,13 @@ def _unproved(finding: Finding, known: str) -> Finding:
     return replace(finding, status=Status.UNREFUTED, method=method, certainty="evidence")
 
 
-def _at_points(claim: Claim) -> Finding:
+def _at_points(probe: Probe, at: Outcome, choosing: bool) -> Finding:
     """Return the decision of a claim whose condition is found, by its points."""
-    stated = claim.entry.claimed is not None
-    choosing = branched(*claim.parts) and ORDERED.isdisjoint(operators(claim.statement))
-    probe = Probe(claim)
-    at = Outcome().tried(claim, probe.all(), lambda outcome: bool(outcome.false) and not choosing)
+    claim, stated = probe.claim, probe.claim.entry.claimed is not None
     if not at.open and (choosing or not at.false):
         at.tried(claim, probe.near(at.true), lambda outcome: False)
     if at.blurred and not at.points:
-        return Finding(Status.UNDECIDED, f"numbers at {at.blurred} points are too large or too uncertain to tell")
+        return Finding(Status.UNDECIDED, f"numbers at {len(at.blurred)} points are too large or too uncertain to tell")
     if at.points < POINTS_MIN and not at.false:
         few = f"only {at.points} of the points tried" if at.points else "no point tried"
         return Finding(Status.UNDECIDED, f"{few} {'in' if stated else 'outside'} the stated domain", at.points)
@@ -169,7 +225,7 @@ def _at_points(claim: Claim) -> Finding:
             method = f"refuted at {at.false[0].label}"
             return Finding(Status.FALSE, method, at.points, "exact", cuts=cuts * choosing, failing=at.false[0])
     condition, outside = _condition(probe, at, within)
-    method = f"true at {at.points} points" + f", {at.blurred} more too close to tell" * bool(at.blurred)
+    method = f"true at {at.points} points" + f", {len(at.blurred)} more too close to tell" * bool(at.blurred)
     status = Status.HOLDS_IF if condition else Status.HOLDS
     asked = tuple(term for one in exclusions(claim, _inside(at, within)) if (term := one.term) is not None)
     if within is not None and within.strict in condition:
@@ -192,65 +248,38 @@ def _condition(probe: Probe, at: Outcome, within: Region | None) -> tuple[str, P
     return words, next(iter((*found.values(), *at.undefined, *at.false)), None)
 
 
-def _in_python(claim: Claim) -> Finding:
-    """Return the decision of a claim whose condition is stated; it must be true inside and not outside."""
-    entry, beyond = claim.entry, Outcome()
-
-    def inside() -> Iterator[Place]:
-        for place in places(claim):
-            if entry.condition is None or _truth(claim, entry.condition, place):
-                yield place
-            else:
-                beyond.add(_truth(claim, claim.statement, place), place)
-
-    at = Outcome().tried(claim, inside(), lambda outcome: bool(outcome.false or outcome.undefined))
-    if failing := (*at.false, *at.undefined):
-        value = "false" if at.false else "no value"
-        return Finding(Status.FALSE, f"refuted at {failing[0].label}: {value}", at.points, failing=failing[0])
-    if not at.points or (entry.condition is not None and not beyond.points):
-        sides = "both sides" if at.points else "the inside"
-        return Finding(Status.UNDECIDED, f"no point on {sides} of its domain")
-    if wrong := _contradicted(claim, beyond):
+def _stated(claim: Claim, early: Callable[[Finding], None]) -> Finding:
+    """Return the decision of a claim that states its condition: it must hold there, and not at points outside."""
+    condition = claim.entry.condition
+    finding = _found(claim.within(*([] if condition is None else [condition])), early)
+    if finding.holds and finding.outside is not None:
+        value = "no value" if claim.truth(finding.outside) is None else "false"
+        return Finding(Status.FALSE, f"refuted at {finding.outside.label}: {value}", finding.points, "exact",
+                       failing=finding.outside)  # fmt: skip
+    if condition is None or not finding.holds:
+        return finding
+    other = claim.within(negated(condition))
+    probe = Probe(other, condition)
+    beyond = Outcome().tried(other, chain(probe.first(), probe.zeros()), lambda outcome: False)
+    if not beyond.points:
+        return Finding(Status.UNDECIDED, "no point outside its condition")
+    if wrong := contradicted(claim, beyond):
         return Finding(Status.UNDECIDED, wrong)
-    exact = proved(claim)
-    method = _method(claim, exact, at.points)
-    if beyond.true:
-        method += f"; also true at {beyond.true[0].label}"
-    status = Status.HOLDS if entry.condition is None else Status.HOLDS_IF
-    if exact is None and not entry.argument:
-        status = Status.UNREFUTED
-    return Finding(status, method, at.points, true=tuple(at.true))
+    method = finding.method + (f"; also true at {beyond.true[0].label}" if beyond.true else "")
+    status = Status.HOLDS_IF if finding.status is Status.HOLDS else finding.status
+    return replace(finding, status=status, method=method)
 
 
-def _truth(claim: Claim, statement: Term, place: Place) -> bool | None:
-    try:
-        return claim.truth(place, statement)
-    except BlurredError:
-        return None
-
-
-def _contradicted(claim: Claim, beyond: Outcome) -> str:
+def contradicted(claim: Claim, beyond: Outcome) -> str:
     """Return how the points outside a stated condition contradict it, if they do.
 
     The claim may be true outside if two letters are special. It has no value there if its divisors say so.
     """
-    single = next((place for place in beyond.true if not place.pair), None)
+    is_open = any(place.generic for place in (*beyond.true, *beyond.false, *beyond.undefined))
+    single = next((p for p in beyond.true if p.generic or p.on or not (p.pair or is_open)), None)
     if single is not None:
         return f"true outside its condition, at {single.label}"
     valued = (*beyond.true, *beyond.false)
     if valued and claim.entry.condition is not None and is_sharp(claim.entry.condition, claim.statement):
         return f"its form says no value, but there is one, at {valued[0].label}"
     return ""
-
-
-def _method(claim: Claim, exact: str | None, points: int) -> str:
-    """Return the method in words. A delicate statement proved at generic values may fail at special ones."""
-    entry, tried = claim.entry, f"true at {points} points"
-    supported = ", with a supporting identity proved exactly" if entry.because not in (None, claim.statement) else ""
-    if exact is None and entry.argument:
-        return f"proved by the argument in {entry.argument} from identities proved exactly; {tried} besides"
-    if exact is None:
-        return f"evidence: {points} points{supported}"
-    if any(entry.free(part) for part in with_trait(Trait.DELICATE, claim.statement)):
-        return f"{exact} where symbols are generic, {tried}{supported}"
-    return f"{exact}{supported}"

@@ -17,15 +17,15 @@ from ...algebra.element import NotExactError
 from ..language.environment import Env
 from ..language.matrices import inverse
 from ..language.operations import written
-from ..language.operator_table import both
-from ..language.printed import Number, Symbol, Term, Trait, symbols, with_trait
+from ..language.operator_table import both, over
+from ..language.printed import Number, Symbol, Term, Trait, symbols, walk, with_trait
 from ..numbers.fields import innermost
 from ..numbers.generators import Generators
 from ..numbers.kinds import ORDER
-from ..numbers.residues import SURE_BITS, Residues, UnluckyError
+from ..numbers.residues import Residues, UnluckyError
 from .claim import Claim, kind
+from .constrained import gaps
 from .polar import Polar, bounds, closed_letters
-from .proof import steps_of
 
 PRIMES_MAX = 40
 """Largest number of primes that are tried for one with all roots."""
@@ -40,19 +40,6 @@ STRICT = {"less": True, "at most": False, "greater": True, "at least": False}
 ABSENT = (ArithmeticError, TypeError, AttributeError, KeyError, ValueError, IndexError)
 """Errors of a number that a field does not have."""
 Make = Callable[..., Generators]
-
-
-def identical(claim: Claim) -> str | None:
-    """Return how a claim is proved at independent generators, "exact" or modulo a prime, or None."""
-    if claim.dual:
-        return None
-    for prove, how in ((proved_exactly, "exact"), (proved_modulo, f"{MODULO}, error < 2^-{SURE_BITS}")):
-        try:
-            if prove(claim):
-                return f"{how}{orders_of(claim)}"
-        except NotExactError:
-            continue
-    return None
 
 
 def orders_of(claim: Claim) -> str:
@@ -83,8 +70,6 @@ def _for_all_signs(claim: Claim, make: Make) -> bool:
     Raise NotExactError if the field cannot tell.
     """
     claim, _ = with_free_product(with_solved_equations(claim))
-    if claim.constraints:
-        raise NotExactError("equations in the domain")
     for fixed in claim.choices:
         waiting: list[tuple[int, ...]] = [()]
         while waiting:
@@ -119,17 +104,21 @@ def _evaluated(
 
 
 def setting(
-    claim: Claim, make: Make, fixed: Mapping[Symbol, int], signs: Sequence[int] = (), real: bool = False
+    claim: Claim, make: Make, fixed: Mapping[Symbol, int], signs: Sequence[int] = ()
 ) -> Env:
     """Return the environment of a claim over independent generators, for one choice of orders.
 
-    Dual letters have their real parts alone if `real`; what has a value is a matter of these.
+    Dual letters have their real parts alone unless the claim takes dual parts: an identity of differentiable functions
+    also holds for dual numbers.
     """
     domain = [] if claim.entry.claimed is None else conjuncts(claim.entry.claimed)
     steps = lcm(steps_of(claim.statement), *(4 * n for a, n in fixed.items() if a.quantity is ORDER))
     field = partial(make, steps=steps, signs=signs)
-    letters = Polar(claim.coordinates, claim.depth, bounds(domain), field, closed_letters(domain), real)
-    env = Env(letters.field, letters.values | dict(fixed), claim.entry.definitions, False, claim.depth)
+    given = bounds(domain), field, closed_letters(domain), claim.apart, not claim.constraints
+    letters = Polar(claim.coordinates, claim.depth, *given)
+    env = Env(letters.field, letters.values | dict(fixed), claim.entry.definitions, claim.apart, claim.depth)
+    if claim.constraints:
+        letters.field.restrict_to([letters.field.element(gap) for gap in gaps(env, claim.constraints)])
     for part in domain:
         if part.operator.name in STRICT:
             with suppress(*ABSENT):
@@ -195,3 +184,9 @@ def _product_of_rotations(node: Term) -> tuple[Term, Symbol, Term] | None:
             return inner, base, one * inverse(product) if left else inverse(product) * one
         return inner, one, base * product if left else product * base
     return None
+
+
+def steps_of(statement: Term) -> int:
+    """Return an integer M such that the statement contains only multiples of α/M, for each free angle α."""
+    divisors = [node.arguments[1] for node in walk(statement) if node.operator is over]
+    return 2 * lcm(2, *(d.value for d in divisors if isinstance(d, Number)))

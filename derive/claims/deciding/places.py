@@ -15,10 +15,11 @@ from ...algebra import Vector
 from ..language.operations import written
 from ..language.printed import Symbol, Term, symbols
 from ..numbers.balls import BlurredError
-from ..numbers.kinds import ORDER, SIGN, Kind, Numbers, special
-from .claim import Claim, Place, bare, kind, operators
+from ..numbers.kinds import BRANCH, ORDER, SIGN, Numbers, Quantity, special
+from .claim import Claim, Place, kind
 from .constrained import onto, touching
 from .singular import ABSENT, ORDERED, Singular, is_integer, singular, size
+from .terms import bare, operators
 from .uphill import Uphill
 from .zeros import Line, at_integers, crossed, lines
 
@@ -30,8 +31,8 @@ ORDERS = (1, 1, 2, 2, 3, 4, 5, 9, 25)
 """Orders at which claims are evaluated, small ones more often."""
 BOUND = 1000
 """Size of integers and orders at which inequalities are tried."""
-PAIRS_MAX, PAIRS_BRIEF = 24, 8
-"""Number of points with two special letters, and with fixed orders and branches."""
+PAIRS_MAX = 24
+"""Number of points with two special letters."""
 PROJECTIONS_MAX = 40
 """Number of points that are moved onto the equations of the stated domain."""
 FEW = 24
@@ -41,14 +42,15 @@ FEW = 24
 class Probe:
     """Source of the points of a claim, determined by the number of its entry.
 
-    With `fixed` orders, branches and signs the points are few, since all choices of these are tried in turn.
+    Zeros are sought of the singular parts of some `terms`, by default of all parts of the claim.
     """
 
-    def __init__(self, claim: Claim, fixed: dict[Symbol, int] | None = None, label: str = "") -> None:
-        self.claim, self.fixed, self.label = claim, fixed, label
+    def __init__(self, claim: Claim, *terms: Term) -> None:
+        self.claim, self.terms = claim, terms or claim.parts
         self.random = random.Random(f"probe {claim.entry.number}")
         self.roots: dict[tuple[Term, Symbol], list[float]] = {}  # zeros of singular parts along the first line
         self._projections = 0
+        self._found: list[Place] = []
 
     # ---- coordinates ----------------------------------------------------------------------------------------------
 
@@ -59,19 +61,16 @@ class Probe:
             return Fraction(self.random.randint(-9, 9) if high < 30 else self.random.randint(-900, 900))
         return value if spread == "positive" else value * self.random.choice((-1, 1))
 
-    def _spread(self, row: Kind) -> str:
-        return "positive" if row.forward and self.fixed is not None else row.spread
-
     def _drawn(self, letter: Symbol, low: float, high: float) -> Numbers:
         row = kind(letter)
-        free = [self._number(self._spread(row), low, high) for _ in range(row.size)]
+        free = [self._number(row.spread, low, high) for _ in range(row.size)]
         return [Fraction(1), *free[1:]] if row.projective and self.random.random() < 0.8 else free
 
     def _discrete(self) -> dict[Symbol, Any]:
-        if self.fixed is not None:
-            return dict(self.fixed)
-        return {a: self.random.choice(ORDERS if a.quantity is ORDER else (-1, 1))
-                for a in self.claim.letters if a.quantity in (ORDER, SIGN)}  # fmt: skip
+        n = self.random.choice(self.claim.entry.orders or ORDERS)
+        values: dict[Quantity, Sequence[int]]
+        values = {ORDER: [n], SIGN: (-1, 1), BRANCH: range(self.claim.entry.branches or n)}
+        return {a: self.random.choice(values[a.quantity]) for a in self.claim.letters if a.quantity in values}
 
     def drawn(self, low: float = 0.3, high: float = 2.0) -> dict[Symbol, Any]:
         """Return coordinates of all letters, of a size between two bounds."""
@@ -83,18 +82,23 @@ class Probe:
         """Yield the first points in the stated domain: short numbers, then generic ones."""
         return self._moved(chain(self._short(), self._generic()))
 
-    def all(self) -> Iterator[Place]:
-        """Yield all points in the stated domain; quick refutations come first."""
-        return self._moved(self._all())
+    def first(self) -> Iterator[Place]:
+        """Yield the points in the stated domain that are no zeros of singular parts; quick refutations come first."""
+        stages = (self._short(), self._generic(), self._wide(), self._far(), self._special(), self._given(),
+                  self._related(), self._rates(), Uphill(self.claim).places(self.drawn()))  # fmt: skip
+        return self._moved(chain.from_iterable(stages))
+
+    def zeros(self) -> Iterator[Place]:
+        """Yield the points in the stated domain that are zeros of singular parts or have two special letters."""
+        yield from self._moved(chain(self._zeros(), self._pairs()))
+        if self.claim.entry.claimed is not None and len(self._found) < FEW:
+            yield from self.near(self._found)
 
     def _moved(self, places: Iterator[Place]) -> Iterator[Place]:
-        """Yield the points that lie in the stated domain, moved onto its equations; more near them if they are few."""
-        found = []
+        """Yield the points that lie in the stated domain, moved onto its equations."""
         for place in self._inside(places):
-            found.append(place)
+            self._found.append(place)
             yield place
-        if self.claim.entry.claimed is not None and len(found) < FEW:
-            yield from self.near(found)
 
     def near(self, found: Sequence[Place]) -> Iterator[Place]:
         """Yield points in the stated domain near others, as many as make a region known."""
@@ -106,7 +110,7 @@ class Probe:
         for letter in (a for a in self.claim.coordinates if a not in at):
             shown = [Fraction(f"{float(c):.6g}") for c in place.at[letter]]
             at[letter] = [c + Fraction(self.random.randint(-50, 50), 100) * (c or 1) for c in shown]
-        return replace(place, label=f"near {place.label}", at=at, generic=True, on="")
+        return replace(place, label=f"near {place.label}", at=at, generic=True, on="", zero=None)
 
     def _inside(self, places: Iterable[Place]) -> Iterator[Place]:
         for place in places:
@@ -132,7 +136,7 @@ class Probe:
             for place, letter in enumerate(self.claim.coordinates):
                 row = kind(letter)
                 free = [SHORT[(i + place) % len(SHORT)], *self.random.choices(SHORT, k=row.size - 1)]
-                free = [abs(c) if self._spread(row) == "positive" else c for c in free]
+                free = [abs(c) if row.spread == "positive" else c for c in free]
                 at[letter] = [Fraction(1), *free[1:]] if row.projective else free
             yield Place(f"short numbers {i + 1}", at, generic=True)
 
@@ -140,18 +144,6 @@ class Probe:
         sizes = [(low, high) for count, low, high in REGIMES[:3] for _ in range(count)]
         for i, (low, high) in enumerate(sizes, 1):
             yield Place(f"generic point {i}", self.drawn(low, high), generic=True)
-
-    def _all(self) -> Iterator[Place]:
-        if self.fixed is not None:
-            stages = [
-                islice(self._short(), 1), islice(self._generic(), 2), self._special(), self._given(), self._related(),
-                self._zeros(), islice(self._wide(), 4, 5), islice(self._pairs(), PAIRS_BRIEF),
-            ]  # fmt: skip
-        else:
-            stages = [self._short(), self._generic(), self._wide(), self._far(), self._special(), self._related(),
-                      self._rates(), Uphill(self.claim).places(self.drawn()), self._zeros(), self._pairs()]  # fmt: skip
-        for place in chain.from_iterable(stages):
-            yield replace(place, label=f"{self.label}{place.label}") if self.label else place
 
     def _wide(self) -> Iterator[Place]:
         sizes = [(low, high) for count, low, high in REGIMES[3:] for _ in range(count)]
@@ -227,24 +219,19 @@ class Probe:
                     yield Place(f"{one.name} across {other.name}", {**at, one: list(across)}, pair=True)
 
     def _zeros(self) -> Iterator[Place]:
-        condition = self.claim.entry.condition
-        stated = [] if condition is None else list(singular(condition))
-        for part in singular(*self.claim.parts):
+        for part in singular(*self.terms):
             letters = [a for a in self.claim.letters if a in symbols(part.part)]
-            defined = any(a in self.claim.entry.definitions for a in symbols(part.part))
-            if self.fixed is not None and defined and part not in stated:
-                continue  # such parts are slow
             for letter in letters:
                 if letter in self.claim.coordinates:
-                    for line in islice(self._lines(letter), None if self.fixed is None else 1):
-                        roots, places = line.places(part, brief=self.fixed is not None)
+                    for line in self._lines(letter, part.part):
+                        roots, places = line.places(part)
                         self.roots.setdefault((part.part, letter), roots)
                         yield from places
-                if self.fixed is None and is_integer(letter):
-                    yield from at_integers(self.claim, part, letter, self.drawn())
+                if is_integer(letter):
+                    yield from at_integers(self.claim.of_number(part.part), part, letter, self.drawn())
             moving = [a for a in letters if a in self.claim.coordinates and kind(a).spread != "integer"]
             free, met = sum(kind(a).size for a in moving), any(self.roots.get((part.part, a)) for a in letters)
-            if free > 1 and not met and self.fixed is None:
+            if free > 1 and not met:
                 along = [found for line in self._parallel(moving) for found in line.places(part)[1]]
                 yield from along or self._meeting(part)
 
@@ -258,7 +245,7 @@ class Probe:
     def _meeting(self, part: Singular) -> Iterator[Place]:
         """Yield a point where a part of several letters vanishes: between unlike signs, or where it touches 0."""
         shown = f"{written(self.claim.entry.contracted(part.part))} = 0"
-        claim = self.claim.with_statement(part.part)
+        claim = self.claim.of_number(part.part)
         drawn = (Place("", self.drawn(low, high)) for _, low, high in REGIMES[:3] * 3)
         ends: dict[bool, Place] = {}
         for place in chain(drawn, islice(self._special(), FEW)):
@@ -286,7 +273,7 @@ class Probe:
 
     def roots_along(self, part: Term, letter: Symbol) -> tuple[str, list[float]] | None:
         """Return the name of a letter's value and the values at which a part vanishes, if they are those of a line."""
-        line, part = next(self._lines(letter), None), bare(part)
+        line, part = next(self._lines(letter, part), None), bare(part)
         if line is None or not (line.radial or kind(letter).size == 1):
             return None
         found = line.roots(Singular(part, size))
@@ -294,15 +281,7 @@ class Probe:
         alike = len(known) == len(found) and all(abs(a - b) < 1e-9 for a, b in zip(known, found))
         return (line.shown, found) if alike else None
 
-    def _lines(self, letter: Symbol) -> Iterator[Line]:
-        return lines(self.claim, letter, self.drawn(0.5, 1.5), self.random)
+    def _lines(self, letter: Symbol, part: Term) -> Iterator[Line]:
+        return lines(self.claim.of_number(part), letter, self.drawn(0.5, 1.5), self.random)
 
 
-def places(claim: Claim) -> Iterator[Place]:
-    """Yield the points of a claim; those of an entry in Python for each order, branch and sign in turn."""
-    if claim.entry.of_file:
-        yield from Probe(claim).all()
-        return
-    for fixed in claim.choices:
-        order = next((f"n = {n}, " for a, n in fixed.items() if a.quantity is ORDER), "")
-        yield from Probe(claim, fixed, order).all()

@@ -13,7 +13,7 @@ from typing import Any
 
 import sympy
 
-from ...algebra import Quaternion
+from ...algebra import Dual, Quaternion
 from ...algebra.element import NotExactError
 from ...algebra.first_principles import tensor_by_sandwich
 from ...algebra.matrix import shaped
@@ -26,7 +26,7 @@ from ..numbers.signed import Bound
 POSITIVE = (sympy.Integer(0), sympy.oo)
 HALF_TURN = (sympy.Integer(0), sympy.pi)
 ALL = (-sympy.oo, sympy.oo)
-RATES = ("'", "''")
+RATES, DUAL = ("'", "''"), "°"
 Make = Callable[[Generators, dict[str, Any]], Any]
 
 
@@ -69,14 +69,14 @@ def _form(letter: Symbol) -> str:
 
 
 def coordinates(
-    letter: Symbol, bounds: Mapping[str, tuple[Bound, Bound]], real: bool
+    letter: Symbol, bounds: Mapping[str, tuple[Bound, Bound]], polar: bool = True
 ) -> dict[str, tuple[Bound, Bound]]:
     """Return the intervals of the coordinates of a letter, within the bounds of its length or value in a domain."""
     name = _form(letter)
     kind = KINDS[letter.quantity.name]
-    if kind.still or (kind.dual and not real):
+    if kind.still:
         raise NotExactError(f"no polar form of a {name}")
-    if name in FORMS:
+    if name in FORMS and polar:
         found = dict(FORMS[name][0])
     else:
         found = {str(i): POSITIVE if kind.spread == "positive" else ALL for i in range(kind.projective, kind.size)}
@@ -88,16 +88,20 @@ def coordinates(
 
 
 class Polar:
-    """Values of letters over a field of generators; `field` makes it from names, intervals, integers and steps."""
+    """Values of letters over a field of generators; `field` makes it from names, intervals, integers and steps.
+
+    Dual letters have dual parts if `dual`, else their real parts alone. Unless `polar`, letters have free components.
+    """
 
     def __init__(
         self, letters: Sequence[Symbol], depth: int, bounds: Mapping[str, tuple[Bound, Bound]],
-        field: Callable[..., Generators], closed: Collection[str] = (), real: bool = False,
+        field: Callable[..., Generators], closed: Collection[str] = (), dual: bool = False, polar: bool = True,
     ) -> None:  # fmt: skip
-        self.depth = depth
-        stems = {a: coordinates(a, bounds, real) for a in letters}
+        self.depth, self.dual, self.polar = depth, dual, polar
+        stems = {a: coordinates(a, bounds, polar) for a in letters}
         intervals = {f"{a.name}.{stem}": ends for a in letters for stem, ends in stems[a].items()}
-        names = [name + dots for name in intervals for dots in ("", *RATES[:depth])]
+        parts = ("", DUAL) if dual else ("",)
+        names = [name + part + dots for name in intervals for part in parts for dots in ("", *RATES[:depth])]
         integers = [f"{a.name}.0" for a in letters if KINDS[a.quantity.name].spread == "integer"]
         ranges = {name: ends for name, ends in intervals.items() if ends != ALL}
         shut = {name for name in ranges if name.split(".")[0] in closed}
@@ -107,16 +111,22 @@ class Polar:
     def _value(self, letter: Symbol, stems: Sequence[str]) -> Any:
         name, kind = _form(letter), KINDS[letter.quantity.name]
         numbers = {stem: self._number(letter, stem) for stem in stems}
-        if name in FORMS:
+        if name in FORMS and self.polar:
             return FORMS[name][1](self.field, numbers)
         return kind.build([*[1] * kind.projective, *numbers.values()])
 
     def _number(self, letter: Symbol, stem: str) -> Any:
-        """Return a coordinate with its rates, which are 0 for constants and integers."""
+        """Return a coordinate with its rates, which are 0 for constants and integers, and its dual part."""
         kind, name = KINDS[letter.quantity.name], f"{letter.name}.{stem}"
-        value = self.field.symbol(name)
         still = kind.constant or kind.spread == "integer"
-        return jet(value, [0 * value if still else self.field.symbol(name + dots) for dots in RATES[: self.depth]])
+
+        def part(of: str) -> Any:
+            value = self.field.symbol(of)
+            return jet(value, [0 * value if still else self.field.symbol(of + dots) for dots in RATES[: self.depth]])
+
+        if not self.dual:
+            return part(name)
+        return Dual(part(name), part(name + DUAL) if kind.dual else 0 * part(name))
 
 
 def bounds(parts: Sequence[Term]) -> dict[str, tuple[Bound, Bound]]:

@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from fractions import Fraction
-from functools import partial, reduce
+from functools import partial
 from itertools import combinations, product
 from typing import Any
 
 from ..language.matrices import at_least, at_most, entry, greater, less, stacked
 from ..language.operations import written
-from ..language.operator_table import both, conjugate, norm, pi, trace
+from ..language.operator_table import conjugate, norm, pi, trace
 from ..language.printed import Number, Symbol, Term, Trait, symbols, walk
 from ..numbers.balls import Ball, Balls, BlurredError, arb
 from ..numbers.fields import innermost
@@ -42,11 +42,6 @@ class Region:
     def interior(self) -> tuple[Term, ...]:
         """Relations without the border."""
         return tuple((less if term.operator is at_most else greater)(*term.arguments) for term in self.terms)
-
-    def inside(self, claim: Claim) -> Claim:
-        """Return the claim with the region as part of its stated domain."""
-        stated = () if claim.entry.claimed is None else (claim.entry.claimed,)
-        return replace(claim, entry=replace(claim.entry, claimed=reduce(both, (*stated, *self.terms))))
 
     @property
     def strict(self) -> str:

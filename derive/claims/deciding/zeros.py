@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property, partial
@@ -17,7 +18,7 @@ from ..language.environment import Env
 from ..language.operations import written
 from ..language.operator_table import Re, norm
 from ..language.printed import Symbol
-from ..numbers.balls import Ball, arb, precision
+from ..numbers.balls import Ball, BlurredError, arb, precision
 from ..numbers.kinds import ORDER, Numbers
 from .claim import Claim, Place, kind
 from .singular import ABSENT, Singular, plain_in
@@ -72,6 +73,8 @@ class Line:
     def value(self, part: Singular, t: Any) -> Any:
         """Return the middle of the number that vanishes on the singular set, or None."""
         try:
+            with suppress(BlurredError, ArithmeticError):
+                self._env.value(part.part)  # parts without the letter are known then
             env = self._env.bound(self.letter, self.claim.value(self.letter, Place("", self.point(t))))
             return arb(part.size(env.value(part.part))).mid()
         except ABSENT:
@@ -82,14 +85,14 @@ class Line:
         with precision(FINE):
             return [float(t) for t in self._roots(part)]
 
-    def _roots(self, part: Singular, brief: bool = False) -> list[Any]:
-        grid = [*(Fraction(k, 2) for k in range(1, 20 if brief else 40)), *(() if brief else FAR)]
+    def _roots(self, part: Singular) -> list[Any]:
+        grid = [*(Fraction(k, 2) for k in range(1, 40)), *FAR]
         grid = [1 / FAR[-1] if kind(self.letter).spread == "positive" else Fraction(0), *grid]
         if not self.one_sided:
             grid = [*(-t for t in reversed(grid[1:])), *grid]
         value = partial(self.value, part)
         zeros: list[Any] = []
-        for _, refined in sorted(_brackets(value, grid, brief), key=lambda row: abs(row[0])):
+        for _, refined in sorted(_brackets(value, grid), key=lambda row: abs(row[0])):
             for t in refined():
                 f = None if t is None else value(Ball(t))
                 small = f is not None and abs(f) < flint.arb(2) ** -WIDTH
@@ -97,10 +100,10 @@ class Line:
                     zeros.append(t)
         return sorted(zeros, key=lambda t: (abs(float(t)), float(t)))
 
-    def places(self, part: Singular, brief: bool = False) -> tuple[list[float], list[Place]]:
+    def places(self, part: Singular) -> tuple[list[float], list[Place]]:
         """Return the zeros of a singular part, and the points on them, beside them and between them."""
         with precision(FINE):
-            roots, found = self._roots(part, brief), []
+            roots, found = self._roots(part), []
             for t in roots:
                 place, near = f"{self.shown} = {named(float(t))}", NEAR * (1 + abs(Ball(t)))
                 exact = (t * 4).is_integer()
@@ -110,7 +113,7 @@ class Line:
                 beside = [b for d in narrow for b in (Ball(t) - d, Ball(t) + d) if not (self.one_sided and b < 0)]
                 found += [Place(f"beside {place}", self.point(b)) for b in beside]
             for t, u in pairwise(sorted(roots, key=float)):
-                found.append(Place(f"{self.shown} between zeros", self.point((Ball(t) + Ball(u)) / 2)))
+                found.append(Place(f"{self.shown} between zeros", self.point(Ball(((t + u) / 2).mid()))))
         return list(map(float, roots)), found
 
 
@@ -126,9 +129,7 @@ def lines(claim: Claim, letter: Symbol, at: dict[Symbol, Any], source: Random) -
     yield Line(claim, at, letter, head, [Fraction(1)] if row.size == 1 else tail)
 
 
-def _brackets(
-    value: Callable[[Any], Any], grid: Sequence[Any], brief: bool
-) -> Iterator[tuple[Any, Callable[[], list[Any]]]]:
+def _brackets(value: Callable[[Any], Any], grid: Sequence[Any]) -> Iterator[tuple[Any, Callable[[], list[Any]]]]:
     """Yield the places near which a number vanishes, each with the function that finds the zeros there."""
     seen = []
     for t in grid:
@@ -141,8 +142,6 @@ def _brackets(
     for (t, f), (u, g) in pairwise(seen):
         if f is not None and g is not None and f * g < 0:
             yield t, partial(_listed, zero, value, arb(t), arb(u), f, g)
-    if brief:
-        return
     for (t, f), (_, g), (u, h) in zip(seen, seen[1:], seen[2:], strict=False):
         if None not in (f, g, h) and f * h > 0 and f * g > 0 and 2 * abs(g) < abs(f) + abs(h) and g * g <= f * h:
             yield t, partial(_about_least, value, arb(t), arb(u), f, h)

@@ -10,7 +10,7 @@ from typing import Any
 from ...algebra import Dual, Structure
 from ..numbers.fields import Field, innermost
 from . import values
-from .printed import Number, Symbol, Term
+from .printed import Number, Symbol, Term, letters
 
 
 @dataclass(frozen=True)
@@ -43,6 +43,7 @@ class Env:
     definitions: Mapping[Symbol, Definition] = dataclasses.field(default_factory=dict)
     dual: bool = True
     moving: int = 0
+    known: dict[Term, Any] = dataclasses.field(default_factory=dict, init=False, repr=False)  # values of parts
 
     def value(self, statement: Term) -> Any:
         """Return the value of a term: a number, vector, tensor, quaternion, function or truth value."""
@@ -52,10 +53,11 @@ class Env:
             if statement not in self.values:
                 self.values[statement] = self._meaning(statement)
             return self.values[statement]
-        operator = statement.operator
-        if operator.lazy:
-            return operator.value(self, *statement.arguments)
-        return operator.value(self, *(self.value(argument) for argument in statement.arguments))
+        if statement not in self.known:
+            operator = statement.operator
+            parts = statement.arguments if operator.lazy else map(self.value, statement.arguments)
+            self.known[statement] = operator.value(self, *parts)
+        return self.known[statement]
 
     @property
     def certain(self) -> Env:
@@ -69,7 +71,10 @@ class Env:
         kept = self.values
         if index.quantity.varies:  # definitions may contain it
             kept = {symbol: known for symbol, known in kept.items() if symbol not in self.definitions}
-        return dataclasses.replace(self, values={**kept, index: value})
+        found = dataclasses.replace(self, values={**kept, index: value})
+        if not self.definitions:
+            found.known.update((part, value) for part, value in self.known.items() if index not in letters(part))
+        return found
 
     def equal(self, a: Any, b: Any) -> bool:
         return values.equal(self.field, a, b)

@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
+from itertools import islice
 from typing import Any
 
 from . import operator_table
@@ -173,23 +174,27 @@ class Scope:
 
 def expanded(term: Term, abbreviations: Mapping[str, Abbreviation]) -> Term:
     """Return a term with the abbreviations filled in; raise ClaimError if it becomes too long."""
-    result = _expanded(term, abbreviations)
-    if sum(1 for _ in walk(result)) > PARTS_MAX:
+    result = _expanded(term, abbreviations, {})
+    if sum(1 for _ in islice(walk(result), PARTS_MAX + 1)) > PARTS_MAX:
         raise ClaimError(f"with its definitions the claim has more than {PARTS_MAX} parts")
     return result
 
 
-def _expanded(term: Term, abbreviations: Mapping[str, Abbreviation]) -> Term:
+def _expanded(term: Term, abbreviations: Mapping[str, Abbreviation], known: dict[Term, Term]) -> Term:
+    """Return a term with the abbreviations filled in; equal parts become one part."""
     if not isinstance(term, Apply):
         return term
-    arguments = [_expanded(a, abbreviations) for a in term.arguments]
-    if not term.operator.name.startswith(CALL):
-        return Apply(term.operator.name, *arguments)
-    function = term.arguments[0]
-    assert isinstance(function, Symbol)
-    called, kinds = abbreviations[str(function.args[3])], CALLS[term.operator.name]
-    body = _expanded(called.known[kinds][0], abbreviations)
-    return substituted(body, dict(zip(called.symbols(), arguments[1:], strict=True)))
+    if term not in known:
+        arguments = [_expanded(a, abbreviations, known) for a in term.arguments]
+        found: Term = Apply(term.operator.name, *arguments)
+        if term.operator.name.startswith(CALL):
+            function = term.arguments[0]
+            assert isinstance(function, Symbol)
+            called, kinds = abbreviations[str(function.args[3])], CALLS[term.operator.name]
+            body = _expanded(called.known[kinds][0], abbreviations, known)
+            found = substituted(body, dict(zip(called.symbols(), arguments[1:], strict=True)))
+        known[term] = known.setdefault(found, found)
+    return known[term]
 
 
 def contracted(term: Term, names: Mapping[Term, Term]) -> Term:

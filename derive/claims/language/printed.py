@@ -11,6 +11,7 @@ import re
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from enum import Flag, auto
+from functools import lru_cache
 from typing import Any, Self
 
 from sympy import Basic, Integer
@@ -151,6 +152,10 @@ def macro(latex: str, first: int = 0) -> str:
     return re.sub(r"#(\d)", lambda found: f"{{{int(found[1]) - 1 + first}}}", escaped)
 
 
+SHOWN = " as "
+"""Mark between the name of an operator and its LaTeX, if it is printed otherwise than usual."""
+
+
 def shown_as(statement: Term, printed: Mapping[str, str]) -> Term:
     """Return a statement with the LaTeX of some operators by name; each becomes an operator of its own."""
     if not isinstance(statement, Apply):
@@ -158,9 +163,18 @@ def shown_as(statement: Term, printed: Mapping[str, str]) -> Term:
     row, arguments = statement.operator, [shown_as(argument, printed) for argument in statement.arguments]
     if row.name not in printed:
         return Apply(row.name, *arguments)
-    name = f"{row.name} as {printed[row.name]}"
+    name = f"{row.name}{SHOWN}{printed[row.name]}"
     OPERATORS.setdefault(name, replace(row, name=name, latex=macro(printed[row.name])))
     return Apply(name, *arguments)
+
+
+def as_usual(statement: Term) -> Term:
+    """Return a statement with the operators that `shown_as` replaced."""
+    if not isinstance(statement, Apply):
+        return statement
+    name, marked, _ = statement.operator.name.partition(SHOWN)
+    plain = name if marked and name in OPERATORS else statement.operator.name
+    return Apply(plain, *map(as_usual, statement.arguments))
 
 
 def term(value: Any) -> Term:
@@ -175,6 +189,12 @@ def term(value: Any) -> Term:
 def symbols(statement: Term) -> tuple[Symbol, ...]:
     """Return the distinct symbols of a statement in printed order."""
     return tuple(dict.fromkeys(node for node in walk(statement) if isinstance(node, Symbol)))
+
+
+@lru_cache(2**16)
+def letters(statement: Term) -> frozenset[Symbol]:
+    """Return the symbols of a statement as a set, which is kept."""
+    return frozenset(symbols(statement))
 
 
 def walk(statement: Term) -> Iterator[Term]:

@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from fractions import Fraction
 from numbers import Number
-from operator import ge, gt, le, lt
+from operator import gt, lt
 from typing import Any
 
 import flint
@@ -152,14 +152,13 @@ class Balls(Field):
 
     ordered = True
 
-    def __init__(self, certainly: bool = False, loose: bool = False) -> None:
+    def __init__(self, certainly: bool = False, moving: bool = False) -> None:
         self.certainly = certainly  # whether an overlap tells nothing
-        # whether an overlap is an equality, as where a number vanishes, and a dual vector always has a magnitude
-        self.loose = loose
+        self.moving = moving  # whether numbers carry rates, which the magnitude of a vector near 0 does not have
 
     @property
     def certain(self) -> Balls:
-        return self if self.loose else Balls(certainly=True)
+        return Balls(certainly=True, moving=self.moving)
 
     def same(self, a: Any, b: Any) -> bool:
         gap, size = arb(a) - arb(b), abs(arb(a)).mid() + 1
@@ -172,8 +171,6 @@ class Balls(Field):
 
     def compared(self, test: Callable[[Any, Any], bool], a: Any, b: Any) -> bool:
         a = Ball(arb(a))
-        if a.overlaps(b) and self.loose:
-            return test in (le, ge)
         if a.overlaps(b) and (self.certainly or test in (lt, gt) or not self.same(a, b)):
             raise BlurredError
         return test(a, b)
@@ -210,12 +207,14 @@ class Balls(Field):
         return Balls.convolved(a, [Ball(inverse[k]) for k in range(len(b))])
 
     def magnitude(self, v: Any) -> Any:
+        """Return the magnitude of a vector; that of a dual vector without real part needs exact numbers."""
         square = v.dot(v)
-        if self.loose:
-            return super().magnitude(v)
-        if isinstance(square, Dual) and self.vanishes(innermost(square)):
-            raise UndefinedError("the magnitude of a vector whose real part is 0 has no dual part and no rate")
-        return self.sqrt(square)
+        if isinstance(square, Dual) and self.vanishes(real := innermost(square)):
+            if self.moving:
+                raise UndefinedError("the magnitude of a vector whose real part is 0 has no rate")
+            if not arb(real).is_exact():
+                raise BlurredError
+        return super().magnitude(v)
 
     def real(self, name: str, *values: Any) -> Callable[..., Any]:
         if hasattr(self, f"_{name}"):

@@ -75,7 +75,7 @@ class Field(Elementary):
             return integer_power(self.sqrt(base), exponent.numerator)
         if isinstance(exponent, Fraction) and not isinstance(base, Structure):
             return self.exp(self.log(base) * exponent.numerator / exponent.denominator)
-        raise NotExactError(f"{base!r} to the power {exponent!r}")
+        raise NotExactError("a power with this exponent")
 
     def _principal_power(self, q: Quaternion, r: Fraction) -> Quaternion:
         """Return the principal value ``|q|^r (cos rθ + u sin rθ)``, ``0 ≤ θ < π``."""

@@ -24,6 +24,7 @@ import sympy
 
 from ...algebra.element import Element, NotExactError
 from .fields import Field
+from .generic import Ideal
 from .signed import Bound, Signed, turns_to_principal, vanishing_at
 
 POOLS = {"tangent": 7, "exponential": 2, "root": 4, "logarithm": 4, "angle": 4, "turn": 3}
@@ -58,6 +59,7 @@ class Generators(Field):
         self.logarithms: list[tuple[Any, Any]] = []
         self.assumed: list[Any] = []  # numbers that are not negative in the stated domain
         self.angles: list[tuple[tuple[Any, Any], Any]] = []
+        self.ideal: Ideal | None = None  # what the equations of a domain make 0
 
     @cached_property
     def ring(self) -> Any:
@@ -109,6 +111,8 @@ class Generators(Field):
         name, square = self._next("root"), a.numerator * a.denominator
         generator = self.symbol(name)
         self.ring.relations.append(generator.numerator**2 - square)
+        if not all(self.ring.definite(factor, strict=True) for factor in self.ring.factors(a)):
+            self.ring.closed.add(name)  # it may be 0
         self.ring.restrict(name, sympy.Integer(0), sympy.oo)
         self.extensions.append((self.ring.fraction(square, self.ring.library.one), name))
         return self.chosen(self.ring.fraction(generator.numerator, a.denominator))
@@ -125,7 +129,13 @@ class Generators(Field):
     # ---- roots -------------------------------------------------------------------------------------------------------
 
     def same(self, a: Any, b: Any) -> bool:
-        return not self.element(a - b)
+        gap = self.element(a - b)
+        return not gap or (self.ideal is not None and self.ideal.contains(gap))
+
+    def restrict_to(self, equations: Sequence[Any]) -> None:
+        """Note the numbers that the equations of a domain make 0."""
+        if found := [a for a in equations if a]:
+            self.ideal = Ideal(found)
 
     def _sqrt(self, a: Any) -> Any:
         a = self.element(a)
@@ -141,10 +151,11 @@ class Generators(Field):
             return root
         if self.is_positive(-root):
             return -root
-        for sign, known in zip(self.signs, self.roots, strict=False):
-            ratio = root / known
-            if self.is_positive(ratio) or self.is_positive(-ratio):
-                return root * sign if self.is_positive(ratio) else -root * sign
+        for count in range(1, len(self.roots) + 1):
+            for some in combinations(zip(self.signs, self.roots, strict=False), count):
+                sign, ratio = prod(sign for sign, _ in some), root / prod(known for _, known in some)
+                if self.is_positive(ratio) or self.is_positive(-ratio):
+                    return root * sign if self.is_positive(ratio) else -root * sign
         if len(self.roots) == ROOTS_MAX:
             raise NotExactError(f"more than {ROOTS_MAX} roots of unknown sign")
         self.roots.append(root)

@@ -35,8 +35,9 @@ class EveryOrder(Exact):
     `scale`; their powers are further independent symbols.
     """
 
-    def __init__(self, names: Sequence[str] = ()) -> None:
-        super().__init__([*names, "n", "r", "scale", "s", "t"], {"theta": 1, "psi": 2})
+    def __init__(self, names: Sequence[str] = (), has_vector: bool = False) -> None:
+        known = ("tan_theta", "n", "r", "s", "t") if has_vector else ()
+        super().__init__([*names, "n", "r", "scale", "s", "t"], {"theta": 1, "psi": 2}, known)
         self.n, self.r, self.scale = self.symbol("n"), self.symbol("r"), self.symbol("scale")
         self.bases = ((self.scale, self.symbol("s")), (2 * self.n, self.symbol("t")))  # s = scale^(n/4), t = (2n)^(n/4)
         self.theta, self.psi = self.symbol("theta"), self.symbol("psi")
@@ -172,7 +173,8 @@ class Generic:
         self.symbols = tuple(free)
         self.framed = framed and not any(symbol.quantity.role is Role.TENSOR for symbol in self.symbols)
         self.first = next((symbol.name for symbol in self.symbols if symbol.quantity.role is Role.VECTOR), None)
-        self.every: EveryOrder | None = None if order is None else EveryOrder(self._names())
+        roles = [symbol.quantity.role for symbol in self.symbols]
+        self.every: EveryOrder | None = None if order is None else EveryOrder(self._names(), Role.VECTOR in roles)
         magnitude = f"arctan {self.first}"  # name of the angle for the magnitude of the first vector
         positive = {magnitude if turning else f"tan_{magnitude}"} if self.framed and self.first else set()
         self.field = self.every or Exact(self._names(), self._angles(steps), positive)

@@ -9,7 +9,7 @@ Each number carries bounds of its degree and of the bits of its coefficients, an
 from __future__ import annotations
 
 import random
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 from functools import cached_property
 from numbers import Number
@@ -165,6 +165,9 @@ class Residues(Generators):
         return doubt < Fraction(1, 2**SURE_BITS)
 
     # ---- numbers -----------------------------------------------------------------------------------------------------
+
+    def restrict_to(self, equations: Sequence[Any]) -> None:
+        raise NotExactError("equations in the domain")
 
     def symbol(self, name: str) -> Residue:
         value = random.Random(f"{self.seed} {name}").randrange(self.prime)

@@ -9,7 +9,8 @@ import pytest
 from derive.algebra.element import NotExactError
 from derive.claims.decide import _premised
 from derive.claims.deciding.claim import Claim
-from derive.claims.deciding.identity import MODULO, identical, proved_exactly, proved_modulo
+from derive.claims.deciding.identity import MODULO, proved_exactly, proved_modulo
+from derive.claims.deciding.proof import proved
 from derive.claims.sheet import claim_alone
 from docs.pages.field_facts import sheets
 from tests.support.claims_of_known_truth import used
@@ -52,7 +53,7 @@ def of(text: str) -> Claim:
 
 @pytest.mark.parametrize(("text", "how"), TRUE.items(), ids=str)
 def test_true_claims_are_proved(text: str, how: str) -> None:
-    assert (identical(of(text)) or "").startswith(how)
+    assert (proved(of(text)) or "").startswith(how)
 
 
 @pytest.mark.parametrize("prove", [proved_exactly, proved_modulo])
@@ -67,4 +68,4 @@ def test_no_printed_erratum_is_proved() -> None:
     entries = [entry for read in sheets() for entry in read.entries() if entry.corrected is not None]
     assert len(entries) > 80
     claims = [_premised(Claim(entry, entry.readings[0].statement)) for entry in entries]
-    assert [claim.entry.number for claim in claims if identical(claim) is not None] == []
+    assert [claim.entry.number for claim in claims if proved(claim) is not None] == []

@@ -1,0 +1,69 @@
+"""Parts of terms: operators that occur, differences of relations, and what vanishes where a term does."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from ..language.operator_table import Re, cos, epsilon, sin
+from ..language.printed import Apply, Number, Term, symbols, walk
+from ..numbers.kinds import KINDS
+
+RELATIONS = frozenset(("less", "at most", "greater", "at least", "unlike", "equal", "nonzero"))
+
+
+def at_zero(statement: Term, zero: Term | None, dual: bool) -> Term:
+    """Return a statement with 0 for both sides of the relations whose sides differ by a number that vanishes.
+
+    Of dual numbers the real part vanishes alone.
+    """
+    if zero is None:
+        return statement
+    pairs = {node: node.arguments for node in walk(statement) if node.operator.name in RELATIONS}
+    known = {node: node.operator(*[Number(0)] * len(sides)) for node, sides in pairs.items()
+             if bare(sides[0] if len(sides) == 1 or sides[1] == Number(0) else sides[0] - sides[1]) == zero
+             and len(sides) < 3 and not (dual and any(map(_is_dual, sides)))}  # fmt: skip
+    found: Term = statement.xreplace(known)
+    return found
+
+
+def _is_dual(side: Term) -> bool:
+    """Return whether a side may have a dual part."""
+    dual = any(a == epsilon or (a.quantity.name in KINDS and KINDS[a.quantity.name].dual) for a in symbols(side))
+    return dual and side.operator is not Re
+
+
+def operators(*statements: Term) -> set[str]:
+    return {node.operator.name for statement in statements for node in walk(statement)}
+
+
+def bare(part: Term) -> Term:
+    """Return a part without signs, brackets, powers, magnitudes and divisors, which vanishes at the same points."""
+    part = _quotient(part)[0]
+    name, arguments = part.operator.name, part.arguments
+    power = name == "power" and isinstance(arguments[1], Number) and arguments[1].value > 0
+    return bare(arguments[0]) if power or name in ("negative", "bracket", "norm", "root", "Re") else part
+
+
+def _quotient(part: Term) -> tuple[Term, Term | None]:
+    """Return a term as numerator and divisor; without a divisor the term itself and None."""
+    name, arguments = part.operator.name, part.arguments
+    if name in ("tan", "cot"):
+        above, below = (sin, cos) if name == "tan" else (cos, sin)
+        return above(*arguments), below(*arguments)
+    if name not in ("plus", "minus", "times", "over", "negative", "bracket"):
+        return part, None
+    (a, b), *rest = map(_quotient, arguments)
+    if not rest:
+        return (part, None) if b is None else (-a if name == "negative" else a, b)
+    ((c, d),) = rest
+    if name == "over":
+        return _product(a, d), _product(c, b)
+    if b is None and d is None:
+        return part, None
+    if name == "times":
+        return Apply("times", a, c), _product(b, d)
+    return Apply(name, _product(a, d), _product(c, b)), _product(b, d)
+
+
+def _product(a: Term | None, b: Term | None) -> Any:
+    return b if a is None else a if b is None else a * b
