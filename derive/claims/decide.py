@@ -1,4 +1,4 @@
-"""Decision of an entry: one procedure for entries in Python and for claims of files.
+"""Decision of an entry: one procedure for claims of files, and for transcripts, which state their conditions.
 
 Each reading is decided as a claim, and a correction alike. Of a claim of a file, changes in one step that make it true
 are sought, or terms that do not matter and constraints that it needs.

@@ -6,7 +6,7 @@ factors of the number have one sign on the stated domain, or are asked to by a c
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 from dataclasses import field as of_class
@@ -94,28 +94,33 @@ class Signs:
         return False
 
 
-def signs_of(claim: Claim, condition: Sequence[Term] = ()) -> list[Signs]:
-    """Return the signs for each choice of orders, with what domain and condition say."""
-    found = []
-    for fixed in claim.choices:
-        domain = [] if claim.entry.claimed is None else [claim.entry.claimed]
-        signs = Signs(setting(claim, Generators, fixed))
-        for part in (*domain, *condition):
-            signs.assume(part)
-        found.append(signs)
-    return found
+def signs_of(
+    claim: Claim, fixed: Mapping[Symbol, int], condition: Sequence[Term] = (), roots: Sequence[int] = ()
+) -> Signs:
+    """Return the signs for one choice of orders and of signs of roots, with what domain and condition say."""
+    domain = [] if claim.entry.claimed is None else [claim.entry.claimed]
+    signs = Signs(setting(claim, Generators, fixed, roots))
+    for part in (*domain, *condition):
+        signs.assume(part)
+    return signs
 
 
 def undecided_parts(claim: Claim, condition: Sequence[Term] = ()) -> list[Term]:
     """Return the partial operations of a claim that are not proved to have a value."""
     claim, condition = with_free_product(claim, *condition)
-    try:
-        every = signs_of(claim, condition)
-    except ABSENT:
-        return list(dict.fromkeys(part for part, _ in _partial(claim.statement, bool(claim.depth or claim.dual))))
-    open_parts = [part for part, asked in _partial(claim.statement, bool(claim.depth or claim.dual))
-                  if not all(_has_value(signs, part, asked) for signs in every)]  # fmt: skip
-    return list(dict.fromkeys(open_parts))
+    parts = dict.fromkeys(_partial(claim.statement, bool(claim.depth or claim.dual)))
+    waiting: list[tuple[Mapping[Symbol, int], tuple[int, ...]]] = [(fixed, ()) for fixed in claim.choices]
+    found: dict[Term, None] = {}
+    while waiting and parts:
+        fixed, roots = waiting.pop()
+        try:
+            signs = signs_of(claim, fixed, condition, roots)
+        except ABSENT:
+            return list(dict.fromkeys(part for part, _ in parts))
+        found |= dict.fromkeys(part for part, asked in parts if not _has_value(signs, part, asked))
+        field = signs.field
+        waiting += [(fixed, (*field.signs[:i], -1)) for i in range(len(roots), len(field.roots))]
+    return [part for part in dict.fromkeys(part for part, _ in parts) if part in found]
 
 
 def _has_value(signs: Signs, part: Term, asked: str) -> bool:
@@ -203,7 +208,9 @@ def _partial(statement: Term, moving: bool) -> Iterator[tuple[Term, str]]:
 def ordered(claim: Claim) -> bool:
     """Return whether the order relations that a claim states are proved, for all n if it is about orders."""
     try:
-        return not orders_of(claim) and all(_is_true(claim, signs, claim.statement) for signs in signs_of(claim))
+        return not orders_of(claim) and all(
+            _is_true(claim, signs_of(claim, fixed), claim.statement) for fixed in claim.choices
+        )
     except ABSENT:
         return False
 

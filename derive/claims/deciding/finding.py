@@ -2,8 +2,8 @@
 
 1. The claim is evaluated at points: short and wide numbers, special values, zeros of singular parts, related letters.
 2. A point where it fails refutes it. If it chooses branches and no domain is stated, a region is sought instead.
-3. Points without a value give the condition of a claim of a file; an entry in Python states its condition, and points
-   on both sides are tried.
+3. Points without a value give its condition. One that states its condition must hold there without a further one, and
+   points outside are tried.
 4. Generic values of an exact field prove it; otherwise the points are evidence.
 """
 

@@ -160,7 +160,8 @@ class Generators(Field):
             raise NotExactError(f"more than {ROOTS_MAX} roots of unknown sign")
         self.roots.append(root)
         self.signs += [1] * (len(self.roots) - len(self.signs))
-        return root * self.signs[len(self.roots) - 1]
+        self.assumed.append(root * self.signs[len(self.roots) - 1])
+        return self.assumed[-1]
 
     # ---- angles and exponents ----------------------------------------------------------------------------------------
 

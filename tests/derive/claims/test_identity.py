@@ -9,8 +9,10 @@ import pytest
 from derive.algebra.element import NotExactError
 from derive.claims.decide import _premised
 from derive.claims.deciding.claim import Claim
+from derive.claims.deciding.existence import undecided_parts
 from derive.claims.deciding.identity import MODULO, proved_exactly, proved_modulo
 from derive.claims.deciding.proof import proved
+from derive.claims.language.operations import written
 from derive.claims.sheet import claim_alone
 from docs.pages.field_facts import sheets
 from tests.support.claims_of_known_truth import used
@@ -61,6 +63,13 @@ def test_true_claims_are_proved(text: str, how: str) -> None:
 def test_false_claims_are_not_proved(text: str, prove) -> None:
     with suppress(NotExactError):
         assert not prove(of(text))
+
+
+@pytest.mark.parametrize(
+    ("text", "part"), [("1/(1 + x/sqrt(x**2)) == 1/2", "1 + x/sqrt(x**2)"), ("1/norm(v - w) == 1", "norm(v - w)")]
+)
+def test_values_exist_for_all_signs_of_roots(text: str, part: str) -> None:
+    assert part in map(written, undecided_parts(of(text)))
 
 
 @pytest.mark.thorough
