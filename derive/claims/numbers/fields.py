@@ -123,11 +123,7 @@ class Exact(Field):
         self.functions = AngleField(names, angles)
         self.symbol = self.functions.symbol
         self.positive = frozenset(positive)  # generators in (0, 1) if tangents of a half angle, else in (0, ∞)
-        self.ideal: Any = None  # `Ideal` of what the equations of a domain make 0
         self.branched = False  # whether a root or an angle was chosen whose sign differs elsewhere
-
-    def same(self, a: Any, b: Any) -> bool:
-        return super().same(a, b) or bool(self.ideal and self.ideal.contains(self.functions.element(a - b)))
 
     def _sin(self, a: Any) -> Any:
         return self.functions.sin(self.functions.element(a))
