@@ -18,7 +18,7 @@ from ...algebra import Dual, Quaternion, Tensor, Vector
 from ...algebra.first_principles import tensor_by_sandwich as rotation
 from ...algebra.matrix import shaped
 from .balls import Balls, precision
-from .fields import Field, UndefinedError
+from .fields import Field
 
 Numbers = Sequence[Any]
 SPECIAL_BITS = 8192
@@ -258,10 +258,6 @@ def _row(name: str, kind: Kind) -> Quantity:
     return Quantity(name, kind.size - kind.projective, framed, built, role, apart=apart)
 
 
-def _no_number(field: Field) -> Any:
-    raise UndefinedError("infinity is no number")
-
-
 _DEFINED = (
     Quantity("real tensor", apart=True), Quantity("real quaternion", apart=True), Quantity("line", apart=True),
     Quantity("pose"), Quantity("number"), Quantity("function"), Quantity("function of parts", apart=True),
@@ -273,7 +269,7 @@ _CONSTANT = (
     Quantity("dual unit", value=lambda field: Dual(0, 1), apart=True, varies=False),
     Quantity("identity", value=lambda field: Tensor.identity(), varies=False),
     Quantity("π", value=lambda field: field.pi, varies=False),
-    Quantity("∞", value=_no_number, varies=False),
+    Quantity("∞", varies=False),
     Quantity("words", value=lambda field: None, varies=False),
     Quantity("index", varies=False),
 )
