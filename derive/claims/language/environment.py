@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from ...algebra import Dual, Structure
-from ..numbers.fields import Field, UndefinedError, innermost
+from ..numbers.fields import Field, innermost
 from . import values
 from .printed import Number, Symbol, Term
 
@@ -102,8 +102,6 @@ class Env:
             return definition.function(self, *map(self.value, definition.arguments))
         if symbol.quantity.value is not None:
             return symbol.quantity.value(self.field)
-        if not symbol.quantity.varies:
-            raise UndefinedError(f"{symbol.name} is no number")
         raise KeyError(f"symbol {symbol.name!r} has no value")
 
 

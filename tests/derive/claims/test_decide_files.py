@@ -68,6 +68,7 @@ OPEN = [
     ("norm(n + R*m) < 2", {"n": "unit vector", "m": "unit vector", **R}),
     ("(16 - dot(v, v))*(16 - dot(w, w)) - 64*dot(v, w) + (16 + dot(v, v))*(16 + dot(w, w)) != 0", VW),
     ("integral(norm(t), t, 1, 1) == 0", {}), ("x == 0 or x != 0", X),
+    ("sqrt(1 - norm(sin(t)*u)**2) == sqrt(1 - sin(t)**2)", {"t": "dual angle", "u": "unit dual vector"}),
     ("x < x + 1 and sqrt(x**2) >= x", X), ("dcay(n, v)*v == 2*n*v/(1 + dot(v, v))", {"n": "order", **V}),
 ]  # fmt: skip
 """Claims that no rule proves, and that no point refutes with certainty; the fourth and fifth are false."""
