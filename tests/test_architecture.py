@@ -26,7 +26,7 @@ ORDER = {
     ),
     "derive.claims.deciding": (
         "claim", "constrained", "singular", "zeros", "proof", "polar", "identity", "uphill", "places", "conditions",
-        "existence", "regions", "changes", "counterexample", "finding",
+        "existence", "ordering", "regions", "changes", "counterexample", "finding",
     ),
     "derive.papers.condurache_popa_2023": ("cp23_notation", "definitions", "sections"),
     "derive.codegen": (

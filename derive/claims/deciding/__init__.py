@@ -11,7 +11,8 @@ identity        proof of a claim at independent generators, exactly or modulo a 
 uphill          corners of a bounded domain, and the way uphill from one
 places          points at which a claim may fail
 conditions      conditions of a claim, found from the points where a part has no value, and their sharpness
-existence       proof that both sides have a value, and of order relations
+existence       proof that both sides have a value
+ordering        proof of order relations, by signs of exact numbers or along one number
 regions         region on which a claim of one branch is true
 changes         changes in one step that mend a claim, terms that do not matter, constraints that it needs
 counterexample  numbers of a point at which a claim fails

@@ -22,8 +22,9 @@ from ..numbers.balls import PRECISIONS, BlurredError, precision
 from ..result import Status
 from .claim import Claim, Place, RefusedError, operators
 from .conditions import exclusions, is_sharp, plain
-from .existence import ordered, undecided_parts
+from .existence import undecided_parts
 from .identity import CUT, MODULO, identical
+from .ordering import ordered
 from .places import Probe, places
 from .proof import ContradictionError, proved
 from .regions import REGION_MIN, Region, branched, region

@@ -110,6 +110,8 @@ class Generators(Field):
         generator = self.symbol(name)
         self.ring.relations.append(generator.numerator**2 - square)
         self.ring.restrict(name, sympy.Integer(0), sympy.oo)
+        if not all(self.ring.definite(factor, strict=True) for factor, _ in self.ring.library.factors(square)):
+            self.ring.closed |= {name}
         self.extensions.append((self.ring.fraction(square, self.ring.library.one), name))
         return self.chosen(self.ring.fraction(generator.numerator, a.denominator))
 
@@ -203,12 +205,16 @@ class Generators(Field):
             if what == "tangent":
                 self.restrict_tangent(name, monomial)
             else:
-                self.restrict_exponential(name)
+                self.restrict_exponential(name, monomial)
         return self.meanings[what, monomial]
 
-    def restrict_exponential(self, name: str) -> None:
-        """Note that an exponential is positive."""
-        self.ring.restrict(name, sympy.Integer(0), sympy.oo)
+    def restrict_exponential(self, name: str, monomial: Monomial) -> None:
+        """Set the interval of an exponential: it is positive, and at least 1 if its exponent is not negative."""
+        lows = {other: self._interval(((other, 1),))[0] for other, _ in monomial}
+        positive = all(power % 2 == 0 or lows[other] >= 0 for other, power in monomial)
+        self.ring.restrict(name, sympy.Integer(int(positive)), sympy.oo)
+        reached = any(low < 0 or other in self.closed for other, low in lows.items())
+        self.ring.closed |= {name} if positive and reached else set()
 
     def _next(self, what: str) -> str:
         """Return the next generator of a pool."""
@@ -227,7 +233,7 @@ class Generators(Field):
     def _log_of(self, a: Any) -> Any:
         for (what, monomial), name in self.meanings.items():
             if what == "exponential" and a == self.symbol(name):
-                return self._product(monomial)
+                return self.product(monomial)
         for known, found in self.logarithms:
             if a == known:
                 return found
@@ -277,7 +283,7 @@ class Generators(Field):
     def _known_angle(self, y: Any, x: Any) -> Any:
         """Return the angle of a point as k/steps of a monomial, plus turns if its range does not tell; else None."""
         for monomial in [monomial for what, monomial in self.meanings if what == "tangent"]:
-            angle = self._product(monomial)
+            angle = self.product(monomial)
             for k in (k for k in range(-2 * self.steps, 2 * self.steps + 1) if k):
                 c, s = self._of_monomial(monomial, Fraction(k, self.steps))
                 if self._along(y, x, s, c):
@@ -286,7 +292,7 @@ class Generators(Field):
                     return angle * Fraction(k, self.steps) + turned
         return None
 
-    def _product(self, monomial: Monomial) -> Any:
+    def product(self, monomial: Monomial) -> Any:
         return prod((self.symbol(name) ** power for name, power in monomial), start=self.element(1))
 
     def _asin(self, a: Any) -> Any:

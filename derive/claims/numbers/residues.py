@@ -240,5 +240,5 @@ class Residues(Generators):
     def restrict_tangent(self, name: str, monomial: Monomial) -> None:
         """Leave a tangent unbounded: no sign is asked of a residue."""
 
-    def restrict_exponential(self, name: str) -> None:
+    def restrict_exponential(self, name: str, monomial: Monomial) -> None:
         """Leave an exponential unbounded: no sign is asked of a residue."""

@@ -11,6 +11,7 @@ import sympy
 
 from ...algebra.element import Element, NotExactError
 from ...algebra.exact import RationalFunctions
+from .boxes import Interval, is_positive
 
 TERMS_MAX = 2000
 """Largest number of terms of a polynomial; a proof modulo a prime has no such limit."""
@@ -64,7 +65,7 @@ class Signed(RationalFunctions):
         return [f for a in numbers for part in (a.numerator, a.denominator) for f, _ in self.library.factors(part)]
 
     def definite(self, factor: Any, strict: bool = False) -> bool:
-        """Return whether a polynomial has one sign, by its coefficients, squares or Sturm; nowhere 0 if `strict`."""
+        """Return whether a polynomial has one sign, by coefficients, squares, Sturm or boxes; nowhere 0 if `strict`."""
         key = str(factor), strict
         if key not in self._known:
             self._known[key] = self._is_definite(factor, strict)
@@ -82,7 +83,19 @@ class Signed(RationalFunctions):
             (i,) = used
             ends = strict and self.names[i] in self.closed
             return self._has_no_root(self.names[i], {powers[i]: c for powers, c in terms.items()}, ends)
-        return _is_definite_form(terms, sorted(used), strict)
+        return _is_definite_form(terms, sorted(used), strict) or self._is_definite_on_box(factor, sorted(used), strict)
+
+    def _is_definite_on_box(self, factor: Any, used: Sequence[int], strict: bool) -> bool:
+        """Return whether a polynomial has one sign, that at the reference point, on the box of its intervals."""
+        sign = 1 if super().value(factor) > 0 else -1
+        terms = {tuple(powers[i] for i in used): sign * c for powers, c in self.library.terms(factor).items()}
+        return is_positive(terms, [self._bounds(self.names[i]) for i in used], strict)
+
+    def _bounds(self, name: str) -> Interval:
+        """Return rational bounds of a generator, a little outside its interval if this has irrational ends."""
+        ends = _rational(*self.ranges.get(name, (-sympy.oo, sympy.oo)), -MARGIN)
+        low, high = (None if end is None else Fraction(int(end.p), int(end.q)) for end in ends)
+        return Interval(low, high, (name in self.closed,) * 2)
 
     def _is_apart(self, i: int) -> bool:
         """Return whether a generator is never 0, as it is positive."""
