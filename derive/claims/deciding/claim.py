@@ -50,6 +50,7 @@ class Place:
     values: Mapping[Symbol, Any] = field(default_factory=dict)  # values that coordinates do not reach
     pair: bool = False
     zero: Term | None = None  # number that certainly vanishes somewhere in the balls of the coordinates
+    known: Mapping[Term, Term] = field(default_factory=dict)  # parts with a value that is certain there
 
     @property
     def exact(self) -> bool:
@@ -172,7 +173,7 @@ class Claim:
 
         Raise `BlurredError` if neither the second precision, nor exact numbers, nor a certain zero tell.
         """
-        part = self.statement if statement is None else statement
+        part = (self.statement if statement is None else statement).xreplace(dict(place.known))
         try:
             found: bool | None = self.evaluated(place, part, bool)
         except BlurredError:

@@ -121,8 +121,8 @@ def exclusions(claim: Claim, places: Sequence[Place]) -> dict[Exclusion, Place]:
 
 def plain(probe: Probe, requirement: Exclusion) -> str:
     """Return a requirement in plain form: by values of the letter if it has only one, else as it stands."""
-    letters = [a for a in symbols(requirement.subject) if a in probe.claim.coordinates]
-    if requirement.relation != "has a value" and any(kind(a).dual for a in letters):
+    letters = [a for a in symbols(requirement.subject) if a in probe.claim.letters]
+    if requirement.relation != "has a value" and any(a in probe.claim.coordinates and kind(a).dual for a in letters):
         requirement = replace(requirement, subject=_real(requirement.subject))
     shown = replace(requirement, subject=probe.claim.entry.contracted(requirement.subject))
     simple = requirement.subject in (*letters, *map(norm, letters))

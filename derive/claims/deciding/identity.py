@@ -17,8 +17,8 @@ from ...algebra.element import NotExactError
 from ..language.environment import Env
 from ..language.matrices import inverse
 from ..language.operations import written
-from ..language.operator_table import both
-from ..language.printed import Number, Symbol, Term, Trait, symbols, with_trait
+from ..language.operator_table import both, over
+from ..language.printed import Number, Symbol, Term, Trait, symbols, walk, with_trait
 from ..numbers.fields import innermost
 from ..numbers.generators import Generators
 from ..numbers.kinds import ORDER
@@ -137,6 +137,12 @@ def setting(
             with suppress(*ABSENT):
                 letters.field.assumed.append(letters.field.element(not_negative(env, part)))
     return env
+
+
+def whole_steps(statement: Term) -> int:
+    """Return the least integer M such that a statement contains only multiples of α/M, for each free angle α."""
+    divisors = [node.arguments[1] for node in walk(statement) if node.operator is over]
+    return lcm(1, *(d.value for d in divisors if isinstance(d, Number) and d.value))
 
 
 def difference(part: Term) -> Term:

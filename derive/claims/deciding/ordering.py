@@ -10,19 +10,18 @@ from collections.abc import Callable, Iterator
 from dataclasses import replace
 from fractions import Fraction
 from functools import partial, reduce
-from math import lcm
 
 import sympy
 
 from ..language.matrices import at_least, at_most
-from ..language.operator_table import both, over, pi
-from ..language.printed import Number, Symbol, Term, Trait, walk
+from ..language.operator_table import both, pi
+from ..language.printed import Number, Symbol, Term, Trait
 from ..numbers.derivation import Along
 from ..numbers.generators import Generators
 from ..numbers.signed import Bound
 from .claim import Claim, kind, operators
 from .existence import Signs, signs_in, undecided_parts
-from .identity import ABSENT, STRICT, conjuncts, difference, identical, not_negative, orders_of, setting
+from .identity import ABSENT, STRICT, conjuncts, difference, identical, not_negative, orders_of, setting, whole_steps
 from .polar import ALL, POSITIVE, Way, bounds
 from .proof import COMPONENTWISE
 
@@ -62,8 +61,7 @@ def _ways(claim: Claim) -> Iterator[Way]:
 
 def _for_all_signs(claim: Claim, way: Way, test: Test) -> bool:
     """Return whether a test is passed for all orders and for both signs of each root whose sign is unknown."""
-    divisors = [node.arguments[1] for node in walk(claim.statement) if node.operator is over]
-    steps = lcm(1, *(d.value for d in divisors if isinstance(d, Number) and d.value.denominator == 1 and d.value))
+    steps = whole_steps(claim.statement)
     for fixed in claim.choices:
         waiting: list[tuple[int, ...]] = [()]
         while waiting:
