@@ -125,8 +125,8 @@ def plain(probe: Probe, requirement: Exclusion) -> str:
     if requirement.relation != "has a value" and any(a in probe.claim.coordinates and kind(a).dual for a in letters):
         requirement = replace(requirement, subject=_real(requirement.subject))
     shown = replace(requirement, subject=probe.claim.entry.contracted(requirement.subject))
-    simple = requirement.subject in (*letters, *map(norm, letters))
-    if requirement.relation == "!= 0" and len(letters) == 1 and not simple:
+    alone = len(letters) == 1 and letters[0] in probe.claim.coordinates
+    if requirement.relation == "!= 0" and alone and requirement.subject not in (*letters, *map(norm, letters)):
         name, roots = probe.roots_along(requirement.subject, letters[0]) or ("", [])
         return (roots and values_excluded(name, roots)) or str(shown)
     return str(shown)
