@@ -56,7 +56,7 @@ def fault(env: Env, node: Term) -> Exclusion | None:
     if name == "norm":
         return Exclusion(Re(*arguments) if env.dual else node, "!= 0")
     if name == "root":
-        return Exclusion(arguments[0], ">= 0")
+        return Exclusion(arguments[0], "> 0" if _vanishes(env, arguments[0]) else ">= 0")
     if name == "log":
         value = env.value(arguments[0])
         if isinstance(value, Tensor | Matrix):
@@ -106,7 +106,10 @@ def _factor(env: Env, below: Term) -> Term:
 
 
 def exclusions(claim: Claim, places: Sequence[Place]) -> dict[Exclusion, Place]:
-    """Return the requirements that the points without a value violate, each with the first such point."""
+    """Return the requirements that the points without a value violate, each with the first such point.
+
+    A requirement is left out if a stricter one of the same number is found.
+    """
     found: dict[Exclusion, Place] = {}
     for place in places:
         with precision(256):
@@ -116,7 +119,8 @@ def exclusions(claim: Claim, places: Sequence[Place]) -> dict[Exclusion, Place]:
                 continue
         if requirement is not None:
             found.setdefault(requirement, place)
-    return found
+    return {one: place for one, place in found.items()
+            if one.relation != ">= 0" or replace(one, relation="> 0") not in found}  # fmt: skip
 
 
 def plain(probe: Probe, requirement: Exclusion) -> str:

@@ -67,7 +67,7 @@ class Signs:
                 self.nonzero.extend(self.ring.factors(self.number(difference(part))))
             elif name in STRICT:
                 gap = self.field.element(not_negative(self.env, part))
-                self.field.assumed.append(gap)
+                self.field.assumed += [gap, *self._squared(gap)]
                 self.nonzero.extend(self.ring.factors(gap) if STRICT[name] else [])
             elif name in ("both", "and"):
                 for one in arguments:
@@ -75,13 +75,25 @@ class Signs:
         except ABSENT:
             return
 
+    def _squared(self, gap: Element) -> Iterator[Element]:
+        """Yield ``a a - b b r r`` for a number ``a - b r`` that is not negative, with a root r and positive a and b."""
+        for _, name in self.field.extensions:
+            part = -self._lone(gap, name) * self.field.symbol(name)
+            if part and self.field.is_positive(part) and self.field.is_positive(gap + part):
+                yield (gap + part) ** 2 - part**2
+
     def is_nonzero(self, a: Element) -> bool:
         """Return whether a number is proved to be 0 nowhere."""
         one = self.ring.library.one
         return bool(a) and all(
-            factor in self.nonzero or self.ring.definite(factor, strict=True)
+            factor in self.nonzero or self.ring.definite(factor, strict=True) or self._is_root_apart(factor)
             for factor in self.ring.factors(a) if factor != one
         )  # fmt: skip
+
+    def _is_root_apart(self, factor: Any) -> bool:
+        """Return whether a factor is the root of a number that is 0 nowhere."""
+        roots = (square for square, name in self.field.extensions if factor == self.field.symbol(name).numerator)
+        return any(map(self.is_nonzero, roots))
 
     def is_positive(self, a: Element, strict: bool = False, depth: int = DEPTH) -> bool:
         """Return whether a number is proved not to be negative, or to be positive if `strict`.

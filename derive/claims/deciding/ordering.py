@@ -14,8 +14,8 @@ from functools import partial, reduce
 import sympy
 
 from ..language.matrices import at_least, at_most
-from ..language.operator_table import both, pi
-from ..language.printed import Number, Symbol, Term, Trait
+from ..language.operator_table import both, norm, pi
+from ..language.printed import Apply, Number, Symbol, Term, Trait
 from ..numbers.derivation import Along
 from ..numbers.generators import Generators
 from ..numbers.signed import Bound
@@ -45,9 +45,34 @@ def _is_true(claim: Claim, statement: Term) -> bool:
         return all(_is_true(claim, part) for part in statement.arguments)
     if statement.operator.name not in (*STRICT, "unlike"):
         return identical(claim.with_statement(statement)) is not None
-    one = claim.with_statement(statement)
-    ways = (_for_all_signs(one, way, partial(_holds, whole=_is_whole(one, way))) for way in _ways(one))
-    return any(ways) or _along_numbers(one)
+    return any(map(_is_proved, map(claim.with_statement, dict.fromkeys((statement, _by_parts(statement))))))
+
+
+def _is_proved(claim: Claim) -> bool:
+    """Return whether an order relation is proved in any form of its letters, or along a number."""
+    ways = (_for_all_signs(claim, way, partial(_holds, whole=_is_whole(claim, way))) for way in _ways(claim))
+    return any(ways) or _along_numbers(claim)
+
+
+def _by_parts(relation: Term) -> Term:
+    """Return a relation with the magnitudes of the parts in place of that of a sum, on the lesser side."""
+    lesser = 0 if relation.operator.name in ("less", "at most") else 1
+    sides = list(relation.arguments)
+    if relation.operator.name in STRICT:
+        sides[lesser] = _parts_of_length(sides[lesser])
+    return Apply(relation.operator.name, *sides)
+
+
+def _parts_of_length(side: Term) -> Term:
+    """Return the magnitudes of the parts of a sum of vectors, which are not below its own; rotations do not matter."""
+    if side.operator is not norm:
+        return side
+    (inner,) = side.arguments
+    a, b = (*inner.arguments, inner, inner)[:2]
+    if inner.operator.name in ("plus", "minus"):
+        return _parts_of_length(norm(a)) + _parts_of_length(norm(b))
+    turned = inner.operator.name == "times" and isinstance(a, Symbol) and a.quantity.name.endswith("rotation")
+    return _parts_of_length(norm(b)) if turned else side
 
 
 def _ways(claim: Claim) -> Iterator[Way]:

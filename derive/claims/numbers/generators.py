@@ -20,18 +20,15 @@ from itertools import combinations
 from math import prod
 from typing import Any
 
-import sympy
-
 from ...algebra.element import Element, NotExactError
 from .fields import Field
-from .signed import Bound, Signed, turns_to_principal, vanishing_at
+from .intervals import INTERVALS, Monomial, interval
+from .signed import Bound, Signed, turns_to_principal
 
 POOLS = {"tangent": 7, "exponential": 2, "root": 4, "logarithm": 4, "angle": 4, "turn": 3}
 """Number of generators of the exact field that are given a meaning when a formula needs one; a turn is an integer."""
 ROOTS_MAX = 5
 """Largest number of roots of unknown sign."""
-Monomial = tuple[tuple[str, int], ...]
-"""Generators with their exponents."""
 
 
 class Generators(Field):
@@ -104,25 +101,19 @@ class Generators(Field):
         """Return the root of a number that is no square: by the root of another one, or with a generator."""
         for count in range(1, len(self.extensions) + 1):
             for some in combinations(self.extensions, count):
-                if (found := self.root(prod((other for other, _ in some), start=a))) is not None:
-                    return self.chosen(found / prod(self.symbol(name) for _, name in some))
+                squares = prod((other for other, _ in some), start=self.element(1))
+                if (found := self.root(squares * a)) is not None:
+                    return self.chosen(found / squares * prod(self.symbol(name) for _, name in some))
         name, square = self._next("root"), a.numerator * a.denominator
         generator = self.symbol(name)
         self.ring.relations.append(generator.numerator**2 - square)
-        self.ring.restrict(name, sympy.Integer(0), sympy.oo)
-        if not all(self.ring.definite(factor, strict=True) for factor, _ in self.ring.library.factors(square)):
-            self.ring.closed |= {name}
+        self.restrict("root", name, self.ring.fraction(square, self.ring.library.one))
         self.extensions.append((self.ring.fraction(square, self.ring.library.one), name))
         return self.chosen(self.ring.fraction(generator.numerator, a.denominator))
 
-    def restrict_tangent(self, name: str, monomial: Monomial) -> None:
-        """Set the interval of a tangent by that of its angle."""
-        low, high = self._interval(monomial)
-        if max(abs(low), abs(high)) < self.steps * sympy.pi:
-            ends = [vanishing_at(end, self.steps) for end in (low, high) if end]
-            known = [end for end in ends if end is not None]
-            self.ring.closed |= {name} if monomial[0][0] in self.closed else set()
-            self.ring.restrict(name, *(sympy.tan(end / (2 * self.steps)) for end in (low, high)), known)
+    def restrict(self, what: str, name: str, known: Any) -> None:
+        """Set the interval of a generator by what it stands for."""
+        INTERVALS[what](self, name, known)
 
     # ---- roots -------------------------------------------------------------------------------------------------------
 
@@ -202,19 +193,8 @@ class Generators(Field):
         if (what, monomial) not in self.meanings:
             name = self._next(what)
             self.meanings[what, monomial] = name
-            if what == "tangent":
-                self.restrict_tangent(name, monomial)
-            else:
-                self.restrict_exponential(name, monomial)
+            self.restrict(what, name, monomial)
         return self.meanings[what, monomial]
-
-    def restrict_exponential(self, name: str, monomial: Monomial) -> None:
-        """Set the interval of an exponential: it is positive, and at least 1 if its exponent is not negative."""
-        lows = {other: self._interval(((other, 1),))[0] for other, _ in monomial}
-        positive = all(power % 2 == 0 or lows[other] >= 0 for other, power in monomial)
-        self.ring.restrict(name, sympy.Integer(int(positive)), sympy.oo)
-        reached = any(low < 0 or other in self.closed for other, low in lows.items())
-        self.ring.closed |= {name} if positive and reached else set()
 
     def _next(self, what: str) -> str:
         """Return the next generator of a pool."""
@@ -255,13 +235,6 @@ class Generators(Field):
 
     # ---- inverse functions -------------------------------------------------------------------------------------------
 
-    def _interval(self, monomial: Monomial) -> tuple[Bound, Bound]:
-        """Return the interval of a monomial: that of a name, else all numbers."""
-        (name, power), *rest = monomial
-        if rest or power != 1:
-            return -sympy.oo, sympy.oo
-        return self.given.get(name, (-sympy.oo, sympy.oo))
-
     def _atan2(self, y: Any, x: Any) -> Any:
         """Return the angle of a point as a multiple of a known one, up to turns if its range is unknown."""
         y, x = self.element(y), self.element(x)
@@ -272,7 +245,9 @@ class Generators(Field):
                 return angle
         angle = self._known_angle(y, x)
         if angle is None:
-            angle = self.symbol(self._next("angle"))
+            name = self._next("angle")
+            angle = self.symbol(name)
+            self.restrict("angle", name, y)
         self.angles.append(((y, x), angle))
         return angle
 
@@ -287,7 +262,7 @@ class Generators(Field):
             for k in (k for k in range(-2 * self.steps, 2 * self.steps + 1) if k):
                 c, s = self._of_monomial(monomial, Fraction(k, self.steps))
                 if self._along(y, x, s, c):
-                    turns = turns_to_principal(Fraction(k, self.steps), *self._interval(monomial))
+                    turns = turns_to_principal(Fraction(k, self.steps), *interval(self, monomial))
                     turned = 2 * self.pi * (self.symbol(self._next("turn")) if turns is None else turns)
                     return angle * Fraction(k, self.steps) + turned
         return None

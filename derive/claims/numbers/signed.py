@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Mapping, Sequence
 from fractions import Fraction
-from math import comb, prod
+from math import prod
 from typing import Any
 
 import sympy
@@ -152,15 +152,6 @@ def _rational(low: Bound, high: Bound, margin: Fraction) -> tuple[Bound, Bound]:
         return sympy.Rational(str(end.evalf(30))) + sign * shift
 
     return near(low, 1), near(high, -1)
-
-
-def vanishing_at(end: Bound, steps: int) -> Any:
-    """Return the polynomial in ``tan(angle/2 steps)`` that vanishes at a multiple of π; None for another angle."""
-    if not (end / sympy.pi).is_Rational:
-        return None
-    power = 2 * steps * (end / sympy.pi).q
-    imaginary = {(k,): comb(power, k) * (-1) ** (k // 2) for k in range(1, power + 1, 2)}  # of (1 + i x)**power
-    return sympy.Poly(imaginary, sympy.Symbol("x"))
 
 
 def turns_to_principal(part: Fraction, low: Bound, high: Bound) -> int | None:

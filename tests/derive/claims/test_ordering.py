@@ -18,7 +18,9 @@ TOUCHING = {
     ("norm(v + w)**2", "2*norm(v)**2 + 2*norm(w)**2"): "", ("dot(v, w)", "norm(v)*norm(w)"): "",
     ("norm(v) - norm(w)", "norm(v - w)"): "", ("norm(norm(v) - norm(w))", "norm(v - w)"): "",
     ("dot(u, cross(v, w))", "norm(u)*norm(v)*norm(w)"): "", ("norm(x*v)", "2*norm(v)"): "norm(x) <= 2",
-    ("norm(R*v)", "2"): BALLS, ("entry(v, 1)", "2"): BALLS, ("-entry(v, 3)", "2"): BALLS,
+    ("norm(R*v)", "2"): BALLS, ("norm(R*v + w)", "5"): BALLS,
+    ("norm(v + w + u)", "norm(v) + norm(w) + norm(u)"): "", ("entry(v, 1) + entry(v, 2)", "2*sqrt(2)"): BALLS,
+    ("0", "acos(x)"): "norm(x) <= 1", ("entry(v, 1)", "2"): BALLS, ("-entry(v, 3)", "2"): BALLS,
     ("entry(v, 1)**2", "dot(v, v)"): "",
     ("trace(R)", "3"): "", ("-trace(R)", "1"): "", ("entry(R, 1, 2)", "1"): "", ("norm(entry(R, 1, 1))", "1"): "",
     ("entry(e, 3)", "1"): "", ("-entry(e, 3)", "1"): "", ("dot(e, v)", "norm(v)"): "",
@@ -35,11 +37,12 @@ TOUCHING = {
     ("exp(-x**2)", "1"): "", ("log(s)", "s - 1"): "", ("log(1 + x)", "x"): "x > -1", ("tanh(x)", "x"): "x >= 0",
     ("atan(x)", "x"): "x >= 0", ("2*x/pi", "sin(x)"): "0 <= x and x <= pi/2",
 }  # fmt: skip
-APART = ("tanh(x) < 1", "1 + exp(-x**2) > 1", "x**4 + y**4 + 1 > 2*x*y", "log(1 + exp(x)) > x", "exp(x) > x",
+APART = ("tanh(x) < 1", "acos(tanh(x)) > 0", "1 + exp(-x**2) > 1", "x**4 + y**4 + 1 > 2*x*y", "log(1 + exp(x)) > x",
+         "exp(x) > x",
          "trace(R) + entry(e, 3) > -3", "norm(v) + 1 > 0", "exp(x) != 0", "norm(v)**2 + x**2 + 1 != 0")  # fmt: skip
 """Relations whose sides are never equal, some at no distance."""
 FALSE = ("tan(x) >= x | x >= 0", "norm(x) >= 2 | norm(x) <= 2", "sqrt(x**2*(1 + x**2)) >= 2*x**2 | norm(x) <= 1",
-         "1/(1 - x) >= 1 | x >= 0", "atan2(x, x - 1) >= 0 | x >= 0", "norm(x - 1) + norm(x) > 1",
+         "1/(1 - x) >= 1 | x >= 0", "atan2(x - 1, x - 2) <= 3 | x >= 0", "norm(x - 1) + norm(x) > 1",
          "norm(v) + norm(w) > 0",
          "2 + entry(e, 3) + trace(R) > 0", "norm(v) - entry(v, 3) > 0", "norm(cross(v, w)) + norm(v - w) > 0",
          "sqrt(x**2 + y**2) > 0", "x*log(s) >= x*(s - 1)",
