@@ -10,6 +10,7 @@ from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 from dataclasses import field as of_class
+from fractions import Fraction
 from typing import Any
 
 from ...algebra import Structure, Tensor
@@ -20,10 +21,13 @@ from ..language.operator_table import cos, det, norm, sin
 from ..language.printed import Number, Symbol, Term
 from ..numbers.fields import innermost
 from ..numbers.generators import Generators
-from .claim import Claim
+from .claim import Claim, kind, operators
 from .identity import ABSENT, STRICT, difference, not_negative, setting, with_free_product
+from .proof import COMPONENTWISE
 from .singular import size
 
+MARGIN = Fraction(1, 1000)
+"""Distance from 0 of a number that is proved not to be 0 at generic values, so it is 0 nowhere."""
 DEPTH = 4
 """Largest number of roots and logarithms that a proof of a sign takes in turn."""
 
@@ -35,6 +39,8 @@ class Signs:
     env: Env
     nonzero: list[Any] = of_class(default_factory=list)
     named: list[Term] = of_class(default_factory=list)  # terms that are not 0
+    free: bool = False  # whether a frame may be turned so that no direction is the one that polar forms leave out
+    numbers: frozenset[str] = frozenset()  # letters that reach all their values
 
     @property
     def field(self) -> Any:
@@ -84,11 +90,28 @@ class Signs:
 
     def is_nonzero(self, a: Element) -> bool:
         """Return whether a number is proved to be 0 nowhere."""
-        one = self.ring.library.one
-        return bool(a) and all(
-            factor in self.nonzero or self.ring.definite(factor, strict=True) or self._is_root_apart(factor)
-            for factor in self.ring.factors(a) if factor != one
-        )  # fmt: skip
+        return bool(a) and (all(map(self._is_apart, self.ring.factors(a))) or (
+            not self.free and any(self.field.is_positive(b - MARGIN) for b in (a, -a))))
+
+    def _is_apart(self, factor: Any) -> bool:
+        """Return whether a factor is 0 nowhere; that of several letters also in limits of polar forms."""
+        if factor in (self.ring.library.one, *self.nonzero) or self._is_root_apart(factor):
+            return True
+        if not self.ring.definite(factor, strict=True):
+            return False
+        letters = self._letters(self.ring.fraction(factor, self.ring.library.one))
+        if len(letters) < 2 or letters <= self.numbers:
+            return True
+        return self.free and self.ring.definite(factor, strict=True, limits=True)
+
+    def _letters(self, a: Element) -> set[str]:
+        """Return the names of the letters on which a number depends."""
+        found: set[str] = set()
+        for name in self.field.used(a):
+            known = self.field.meaning.get(name, ("", ()))[1]
+            parts = known if isinstance(known, tuple) else (known,)
+            found |= set().union(*map(self._letters, parts)) if parts else {name.split(".")[0]} - {"pi"}
+        return found
 
     def _is_root_apart(self, factor: Any) -> bool:
         """Return whether a factor is the root of a number that is 0 nowhere."""
@@ -140,6 +163,11 @@ class Signs:
         return False
 
 
+def is_frame_free(claim: Claim) -> bool:
+    """Return whether all vectors may be turned together, as no component is taken."""
+    return COMPONENTWISE.isdisjoint(name.split()[0] for name in operators(*claim.parts) if name)
+
+
 def signs_of(claim: Claim, condition: Sequence[Term] = ()) -> list[Signs]:
     """Return the signs for each choice of orders, with what domain and condition say."""
     return [signs_in(claim, setting(claim, Generators, fixed, real=True), condition) for fixed in claim.choices]
@@ -148,7 +176,8 @@ def signs_of(claim: Claim, condition: Sequence[Term] = ()) -> list[Signs]:
 def signs_in(claim: Claim, env: Env, condition: Sequence[Term] = ()) -> Signs:
     """Return the signs in an environment over generators, with what domain and condition say."""
     domain = [] if claim.entry.claimed is None else [claim.entry.claimed]
-    signs = Signs(env)
+    free = is_frame_free(claim) and not any(kind(a).projective and kind(a).size == 4 for a in claim.coordinates)
+    signs = Signs(env, free=free, numbers=frozenset(a.name for a in claim.coordinates if kind(a).size == 1))
     for part in (*domain, *condition):
         signs.assume(part)
     return signs

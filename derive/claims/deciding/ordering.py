@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import replace
-from fractions import Fraction
 from functools import partial, reduce
 
 import sympy
@@ -20,13 +19,10 @@ from ..numbers.derivation import Along
 from ..numbers.generators import Generators
 from ..numbers.signed import Bound
 from .claim import Claim, kind, operators
-from .existence import Signs, signs_in, undecided_parts
+from .existence import MARGIN, Signs, is_frame_free, signs_in, undecided_parts
 from .identity import ABSENT, STRICT, conjuncts, difference, identical, not_negative, orders_of, setting, whole_steps
 from .polar import ALL, POSITIVE, Way, bounds
-from .proof import COMPONENTWISE
 
-MARGIN = Fraction(1, 1000)
-"""Distance from 0 of a number that is proved not to be 0 at generic values, so it is 0 nowhere."""
 DERIVATIVES_MAX = 8
 """Largest number of derivatives that are 0 where an order relation begins."""
 BEGINNINGS = tuple(map(sympy.Integer, (0, 1, -1)))
@@ -77,7 +73,7 @@ def _parts_of_length(side: Term) -> Term:
 
 def _ways(claim: Claim) -> Iterator[Way]:
     """Yield the forms of letters in which a claim may be proved."""
-    if not claim.depth and COMPONENTWISE.isdisjoint(name.split()[0] for name in operators(*claim.parts) if name):
+    if not claim.depth and is_frame_free(claim):
         yield Way.FRAMED
     yield Way.POLAR
     if any(kind(a).size > 1 for a in claim.coordinates):

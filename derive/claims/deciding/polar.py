@@ -27,6 +27,8 @@ from ..numbers.signed import Bound
 POSITIVE = (sympy.Integer(0), sympy.oo)
 HALF_TURN = (sympy.Integer(0), sympy.pi)
 ALL = (-sympy.oo, sympy.oo)
+LENGTHS = ("X", "A")
+"""Coordinates whose ends no direction belongs to."""
 COSINE = (sympy.Integer(-1), sympy.Integer(1))
 RATES = ("'", "''")
 Make = Callable[[Generators, dict[str, Any]], Any]
@@ -137,6 +139,7 @@ class Polar:
         reached = {f"{a.name}.{stem}" for a in self.forms for stem in ("X", "c") if way is Way.FRAMED}
         shut = {name for name in ranges if name.split(".")[0] in closed} | (reached & set(ranges))
         self.field = field(names, ranges, integers, closed=shut)
+        self.field.limits = {name for name in ranges if name.split(".")[1] in LENGTHS}
         self.values = {a: self._value(a, list(stems[a])) for a in letters}
 
     def _value(self, letter: Symbol, stems: Sequence[str]) -> Any:

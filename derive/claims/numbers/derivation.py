@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
-from functools import cached_property
+from collections.abc import Callable, Mapping
 from typing import Any
 
 from ...algebra.element import NotExactError
@@ -18,27 +17,10 @@ class Along:
         self._slopes: dict[str, Any] = {}
         self._starts: dict[str, Any] = {}
 
-    @cached_property
-    def _meanings(self) -> Mapping[str, tuple[str, Any]]:
-        """What a generator stands for, and of which number, monomial or point (y, x)."""
-        field = self.field
-        found = {name: (what, field.product(monomial)) for (what, monomial), name in field.meanings.items()}
-        rows = (("root", field.extensions), ("logarithm", field.logarithms), ("angle", field.angles))
-        for what, pairs in rows:
-            for known, generator in pairs:
-                found.setdefault(str(generator), (what, known))
-        return found
-
-    def _used(self, a: Any) -> Iterator[str]:
-        names = self.field.ring.names
-        for part in (a.numerator, a.denominator):
-            degrees = part.degrees()
-            yield from (name for name, degree in zip(names, degrees, strict=True) if degree)
-
     def slope(self, a: Any) -> Any:
         """Return the derivative of a number."""
         a = self.field.element(a)
-        return a.derivative({self.field.ring.index(name): self._slope_of(name) for name in set(self._used(a))})
+        return a.derivative({self.field.ring.index(name): self._slope_of(name) for name in self.field.used(a)})
 
     def _slope_of(self, generator: str) -> Any:
         if generator not in self._slopes:
@@ -46,9 +28,9 @@ class Along:
         return self._slopes[generator]
 
     def _new_slope(self, generator: str) -> Any:
-        if generator not in self._meanings:
+        if generator not in self.field.meaning:
             return self.field.element(int(generator == self.name))
-        what, known = self._meanings[generator]
+        what, known = self.field.meaning[generator]
         t = self.field.symbol(generator)
         if what == "angle":
             y, x = known
@@ -62,7 +44,7 @@ class Along:
     def start(self, a: Any) -> Any:
         """Return a number where the name is 0; raise NotExactError or ZeroDivisionError if the field has none."""
         ring, a = self.field.ring, self.field.element(a)
-        used = set(self._used(a))
+        used = self.field.used(a)
         at = [(self._start_of(name) if name in used else ring.symbol(name)).numerator for name in ring.names]
         above, below = (part.compose(*at) for part in (a.numerator, a.denominator))
         return ring.fraction(above, ring.library.one) / ring.fraction(below, ring.library.one)
@@ -76,9 +58,9 @@ class Along:
         field = self.field
         if generator == self.name:
             return field.element(0)
-        if generator not in self._meanings or not self._slope_of(generator):
+        if generator not in self.field.meaning or not self._slope_of(generator):
             return field.symbol(generator)
-        what, known = self._meanings[generator]
+        what, known = self.field.meaning[generator]
         value = self.start(known[0] if what == "angle" else known)
         if what == "root" and (root := field.root(value)) is not None:
             return field.chosen(root)

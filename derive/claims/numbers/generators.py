@@ -46,7 +46,7 @@ class Generators(Field):
         signs: Sequence[int] = (), closed: Collection[str] = (),
     ) -> None:  # fmt: skip
         self.names, self.given, self.steps, self.signs = tuple(names), dict(ranges), steps, list(signs)
-        self.closed = closed
+        self.closed, self.limits = closed, set[str]()
         self.integers = {*integers, *self.pool("turn")}
         self.roots: list[Any] = []  # roots of unknown sign, up to this sign
         self.meanings: dict[tuple[str, Monomial], str] = {}  # generators of tangents and exponentials
@@ -60,7 +60,10 @@ class Generators(Field):
     def ring(self) -> Any:
         """Ring of all generators; roots come first, since a relation eliminates its first generator."""
         first, *others = map(self.pool, ("root", "turn", "angle", "logarithm", "tangent", "exponential"))
-        return Signed([*first, *self.names, "pi", *(name for pool in others for name in pool)], self.given, self.closed)
+        names = [*first, *self.names, "pi", *(name for pool in others for name in pool)]
+        found = Signed(names, self.given, self.closed)
+        found.limits |= self.limits
+        return found
 
     def pool(self, what: str) -> list[str]:
         """Return the generators for a tangent, an exponential, a root, a logarithm, an angle or a number of turns."""
@@ -84,6 +87,18 @@ class Generators(Field):
             if any(name.startswith(("tangent ", "exponential ")) for name, _ in monomial):
                 raise NotExactError("an angle or exponent that contains a sine or an exponential")
             yield monomial, c
+
+    @property
+    def meaning(self) -> dict[str, tuple[str, Any]]:
+        """What each generator stands for, and of which number, monomial or point (y, x)."""
+        found = {name: (what, self.product(monomial)) for (what, monomial), name in self.meanings.items()}
+        rows = (("root", self.extensions), ("logarithm", self.logarithms), ("angle", self.angles))
+        return {str(name): (what, known) for what, pairs in rows for known, name in pairs} | found
+
+    def used(self, a: Any) -> set[str]:
+        """Return the generators in a number."""
+        degrees = (part.degrees() for part in (a.numerator, a.denominator))
+        return {name for row in degrees for name, degree in zip(self.ring.names, row, strict=True) if degree}
 
     def is_positive(self, a: Any) -> bool:
         """Return whether a number that is not 0 is proved to be positive, or not negative by an assumption."""

@@ -27,7 +27,8 @@ def _of_tangent(field: Any, name: str, monomial: Monomial) -> None:
     if max(abs(low), abs(high)) < field.steps * sympy.pi:
         ends = [_vanishing_at(end, field.steps) for end in (low, high) if end]
         known = [end for end in ends if end is not None]
-        field.ring.closed |= {name} if monomial[0][0] in field.closed else set()
+        for reached in (field.ring.closed, field.ring.limits):
+            reached |= {name} if monomial[0][0] in reached else set()
         field.ring.restrict(name, *(sympy.tan(end / (2 * field.steps)) for end in (low, high)), known)
 
 
@@ -54,7 +55,7 @@ def _of_angle(field: Any, name: str, y: Any) -> None:
 
 def _close_unless_apart(field: Any, name: str, number: Any) -> None:
     """Note that a generator reaches its end, unless a number that vanishes there is 0 nowhere."""
-    if not all(field.ring.definite(factor, strict=True) for factor in field.ring.factors(number)):
+    if not all(field.ring.definite(factor, strict=True, limits=True) for factor in field.ring.factors(number)):
         field.ring.closed.add(name)
 
 

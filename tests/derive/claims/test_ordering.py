@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 from derive.claims.deciding.claim import Claim
+from derive.claims.deciding.existence import undecided_parts
 from derive.claims.deciding.ordering import ordered
 from derive.claims.sheet import claim_alone
 from tests.support.claims_of_known_truth import used
@@ -48,6 +49,11 @@ FALSE = ("tan(x) >= x | x >= 0", "norm(x) >= 2 | norm(x) <= 2", "sqrt(x**2*(1 + 
          "sqrt(x**2 + y**2) > 0", "x*log(s) >= x*(s - 1)",
          "norm(v + w + u) > 0", "norm(v)*norm(w) - dot(v, w) > 0", "exp(x**2) > 1", "exp(s*x) >= 1")  # fmt: skip
 """Relations that are false at some places, some beyond a jump or where letters in polar form have no value."""
+VANISHING = ("1 + entry(e, 3) + norm(v)", "trace(R) + 1 + norm(v)", "3 - trace(R) + norm(v)", "norm(v) + norm(w)",
+             "norm(cross(v, w)) + norm(v)", "norm(v) + dot(e, v)", "x**2 + norm(v)", "scalar(q) + 1 + norm(v)",
+             "2 + entry(e, 3) + entry(u/norm(u), 3)", "norm(v) - entry(v, 3)")  # fmt: skip
+"""Numbers that are 0 where several letters are special at once, or in a direction that polar forms leave out."""
+APART_FROM_0 = ("1 + exp(x)*norm(v)", "s + norm(v)", "dot(v, v) + dot(w, w) + 1", "4 + trace(R) + entry(e, 3)")
 
 
 def of(text: str, domain: str = "") -> Claim:
@@ -78,3 +84,13 @@ def test_relations_whose_sides_are_never_equal_are_proved(text: str) -> None:
 def test_relations_that_are_false_somewhere_are_not_proved(text: str) -> None:
     claim, _, domain = text.partition(" | ")
     assert not ordered(of(claim, domain))
+
+
+@pytest.mark.parametrize("number", VANISHING)
+def test_numbers_that_vanish_where_several_letters_are_special_are_not_proved_to_be_divisors(number: str) -> None:
+    assert undecided_parts(of(f"1/({number}) == 1/({number})"))
+
+
+@pytest.mark.parametrize("number", APART_FROM_0)
+def test_numbers_that_vanish_nowhere_are_proved_to_be_divisors(number: str) -> None:
+    assert not undecided_parts(of(f"1/({number}) == 1/({number})"))
