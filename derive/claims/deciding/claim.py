@@ -116,6 +116,13 @@ class Claim:
             raise RefusedError(f"rates are nested more than {RATES_MAX} deep")
         return depth
 
+    @cached_property
+    def at_rest(self) -> frozenset[Symbol]:
+        """Letters of a claim of a file whose rates no part asks for."""
+        asked = {a for part in with_trait(Trait.RATE, *self.parts) for a in symbols(part)}
+        plain = self.entry.of_file and not (self.entry.moving or self.entry.where)
+        return frozenset(self.coordinates) - asked if plain else frozenset()
+
     def env(self, place: Place, field: Field | None = None) -> Env:
         """Return the environment at a point, over balls by default."""
         values: dict[Symbol, Any] = {a: value for a, value in place.at.items() if a not in self.coordinates}
@@ -158,7 +165,7 @@ class Claim:
 
         def coefficient(value: Any) -> Any:
             rates = [number(next(further)) for _ in range(self.depth)]
-            return jet(value, [0 * rate for rate in rates] if still else rates)
+            return value if letter in self.at_rest else jet(value, [0 * rate for rate in rates] if still else rates)
 
         def part(c: Any) -> Any:
             value = coefficient(number(c))

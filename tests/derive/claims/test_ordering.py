@@ -42,7 +42,8 @@ APART = ("tanh(x) < 1", "acos(tanh(x)) > 0", "1 + exp(-x**2) > 1", "x**4 + y**4 
          "exp(x) > x",
          "trace(R) + entry(e, 3) > -3", "norm(v) + 1 > 0", "exp(x) != 0", "norm(v)**2 + x**2 + 1 != 0")  # fmt: skip
 """Relations whose sides are never equal, some at no distance."""
-FALSE = ("tan(x) >= x | x >= 0", "norm(x) >= 2 | norm(x) <= 2", "sqrt(x**2*(1 + x**2)) >= 2*x**2 | norm(x) <= 1",
+FALSE = ("sqrt(4*x**2 - x**4) >= sqrt(3) | norm(x) <= 1", "tan(x) >= x | x >= 0", "norm(x) >= 2 | norm(x) <= 2",
+         "sqrt(x**2*(1 + x**2)) >= 2*x**2 | norm(x) <= 1",
          "1/(1 - x) >= 1 | x >= 0", "atan2(x - 1, x - 2) <= 3 | x >= 0", "norm(x - 1) + norm(x) > 1",
          "norm(v) + norm(w) > 0",
          "2 + entry(e, 3) + trace(R) > 0", "norm(v) - entry(v, 3) > 0", "norm(cross(v, w)) + norm(v - w) > 0",
