@@ -25,8 +25,8 @@ ORDER = {
         "numbers", "language", "equation", "result", "deciding", "decide", "transcript", "sheet", "run", "report",
     ),
     "derive.claims.deciding": (
-        "claim", "constrained", "singular", "zeros", "proof", "polar", "identity", "uphill", "places", "conditions",
-        "existence", "regions", "changes", "counterexample", "finding",
+        "claim", "constrained", "singular", "zeros", "proof", "polar", "identity", "equal_sides", "uphill", "places",
+        "conditions", "existence", "ordering", "regions", "changes", "counterexample", "finding",
     ),
     "derive.papers.condurache_popa_2023": ("cp23_notation", "definitions", "sections"),
     "derive.codegen": (
