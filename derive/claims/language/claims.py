@@ -55,13 +55,8 @@ class Reader(Expressions):
         found = [self.read(argument) for argument in given]
         kinds = tuple(kind for _, kind in found)
         if kinds not in called.known:
-            inner = Scope(
-                {**self.scope.letters, **{p: (s, k) for p, s, k in zip(called.parameters, called.symbols(), kinds,
-                                                                       strict=True)}},
-                self.scope.abbreviations, (*self.scope.open, called.name),
-            )  # fmt: skip
             try:
-                called.known[kinds] = Reader(called.text, inner).read(tree(called.text))
+                called.known[kinds] = Reader(called.text, self.scope.of(called, kinds)).read(tree(called.text))
             except ClaimError as error:
                 where = error.message if error.message.startswith("in definition") else (
                     f"in definition {called.head!r}, column {error.column}: {error.message}")
@@ -119,7 +114,7 @@ class Reader(Expressions):
         value, kind = self.read(node.args[2])
         if name == "expectation":
             return ((kind[0], 1) if isinstance(kind, tuple) else "number"), None
-        of = self.scope.letters.get(letter, (None, kind))[1]
+        of = self.scope.known.get(letter, (None, kind))[1]
         if value != names.ZERO or names.is_number(of):
             return ("number" if names.is_number(kind) else kind), None
         if not isinstance(of, tuple):

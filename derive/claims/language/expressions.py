@@ -119,13 +119,13 @@ class Expressions:
 
     def _name(self, node: ast.Name) -> tuple[Term, Kind]:
         name = node.id
-        if name in self.scope.letters:
-            return self.scope.letters[name]
+        if name in self.scope.known:
+            return self.scope.known[name]
         if name in CONSTANTS:
             return CONSTANTS[name]
         if name in self.scope.abbreviations:
             return self._abbreviated(self.scope.abbreviations[name], node, [])
-        raise self.error(f"unknown letter {name!r}{self._near(name, (*self.scope.letters, *CONSTANTS))}", node)
+        raise self.error(f"unknown letter {name!r}{self._near(name, (*self.scope.known, *CONSTANTS))}", node)
 
     def _near(self, name: str, known: Sequence[str]) -> str:
         near = difflib.get_close_matches(name, (*known, *self.scope.abbreviations), n=3, cutoff=0.5)

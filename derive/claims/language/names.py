@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 from . import operator_table
@@ -164,14 +164,28 @@ class Abbreviation:
 
 @dataclass(frozen=True)
 class Scope:
-    """Names that a claim may use: letters with symbols and kinds, and abbreviations."""
+    """Names that a claim may use: letters with symbols and kinds, and abbreviations.
+
+    `local` letters, such as the index of a sum or the parameter of an abbreviation, stand before declared `letters`.
+    Another abbreviation does not know them.
+    """
 
     letters: Mapping[str, tuple[Symbol, Kind]]
     abbreviations: Mapping[str, Abbreviation] = field(default_factory=dict)
     open: tuple[str, ...] = ()  # abbreviations that are being read
+    local: Mapping[str, tuple[Symbol, Kind]] = field(default_factory=dict)
 
     def with_letter(self, name: str, symbol: Symbol, kind: Kind) -> Scope:
-        return Scope({**self.letters, name: (symbol, kind)}, self.abbreviations, self.open)
+        return replace(self, local={**self.local, name: (symbol, kind)})
+
+    def of(self, called: Abbreviation, kinds: Sequence[Kind]) -> Scope:
+        """Return the scope of the text of an abbreviation, whose parameters have these kinds."""
+        given = dict(zip(called.parameters, zip(called.symbols(), kinds, strict=True), strict=True))
+        return replace(self, open=(*self.open, called.name), local=given)
+
+    @property
+    def known(self) -> Mapping[str, tuple[Symbol, Kind]]:
+        return {**self.letters, **self.local}
 
 
 def expanded(term: Term, abbreviations: Mapping[str, Abbreviation]) -> Term:

@@ -108,6 +108,15 @@ def test_derivative_is_taken_at_the_argument_of_a_definition() -> None:
     assert bound.isdisjoint({"v"})  # the bound letter is not mistaken for v
 
 
+def test_definitions_do_not_know_letters_of_their_callers() -> None:
+    scope = Scope(SCOPE.letters, {"M": Abbreviation("M", (), "x*skew(v)"), "H": Abbreviation("H", ("x",), "M + x*I")})
+    claim = expanded(statement("H(2) == M", scope), scope.abbreviations)
+    assert written(claim) == "x*skew(v) + 2*I == x*skew(v)"
+    fresh = Scope(SCOPE.letters, {"M": Abbreviation("M", (), "x*skew(v)")})
+    with pytest.raises(ClaimError, match="here it is a number"):
+        statement("limit(M, v, 0) == M", fresh)
+
+
 def test_roots_that_differ_on_both_sides_have_no_derivative() -> None:
     with pytest.raises(ArithmeticError):
         value("jacobian(norm(v), v) == transpose(v)", v=matrix.shaped([[Fraction(0)]] * 3))
