@@ -14,27 +14,32 @@ from .pose import is_zero
 
 
 def tensor_exponential(a: Vector, library: Any = functions) -> Tensor:
-    """Return exp(skew(a)), a rotation by |a| about a; `library` provides ``sin``, ``cos``, ``sqrt``.
-
-    For Re a = 0 the series terminates: ``skew(a)³ = −|a|² skew(a) = 0``.
-    """
-    square, skew = a.dot(a), Tensor.skew(a)
-    if is_zero(real_part(square)):
-        nilpotent: Tensor = Tensor.identity() + skew + skew @ skew / 2
-        return nilpotent
-    angle = library.sqrt(square)
-    R: Tensor = Tensor.identity() + skew * (library.sin(angle) / angle)
-    R += skew @ skew * ((1 - library.cos(angle)) / square)
+    """Return exp(skew(a)), a rotation by |a| about a; `library` provides ``sin``, ``cos``, ``sqrt``."""
+    _, sinc, versine = _circular(a.dot(a), library)
+    skew = Tensor.skew(a)
+    R: Tensor = Tensor.identity() + skew * sinc + skew @ skew * versine
     return R
 
 
 def quaternion_exponential(a: Vector, library: Any = functions) -> Quaternion:
     """Return exp(a) = cos|a| + sin|a| a/|a| of a pure quaternion; a rotation by 2|a| about a."""
-    square = a.dot(a)
-    if is_zero(real_part(square)):
-        return Quaternion(1 + 0 * square, a)
-    angle = library.sqrt(square)
-    return Quaternion(library.cos(angle), a * (library.sin(angle) / angle))
+    cosine, sinc, _ = _circular(a.dot(a), library)
+    return Quaternion(cosine, a * sinc)
+
+
+def _circular(square: Any, library: Any) -> tuple[Any, Any, Any]:
+    """Return ``cos a``, ``sin a/a`` and ``(1 − cos a)/a²`` of the square of a.
+
+    At a = 0 their series end with the square of a², in dual numbers whose parts may have rates.
+    """
+    innermost = square
+    while isinstance(innermost, Dual):
+        innermost = innermost.re
+    if is_zero(innermost):
+        twice = square * square
+        return 1 - square / 2 + twice / 24, 1 - square / 6 + twice / 120, (1 - square / 12 + twice / 360) / 2
+    a = library.sqrt(square)
+    return library.cos(a), library.sin(a) / a, (1 - library.cos(a)) / square
 
 
 def tensor_by_sandwich(q: Quaternion) -> Tensor:

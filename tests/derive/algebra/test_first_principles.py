@@ -82,6 +82,21 @@ def test_exponentials_of_quaternions_turn_by_twice_the_vector(size: int, draw: D
     assert gap(q * q, quaternion_exponential(a * 2)) < TINY
 
 
+@pytest.mark.parametrize("depth", [1, 2, 3, 4])
+def test_exponentials_at_rest_have_dual_parts_and_rates(depth: int) -> None:
+    """Expect exp(a) exp(a) = exp(2a) exactly where the number inside each coefficient is 0."""
+
+    def coefficient(place: int, depth: int) -> Any:
+        if not depth:
+            return Fraction(place)
+        return Dual(coefficient(place, depth - 1), coefficient(7 * place + depth, depth - 1))
+
+    a = Vector(*(coefficient(place, depth) - place for place in (1, 2, 3)))
+    q, R = quaternion_exponential(a), tensor_exponential(a)
+    assert tuple(q * q) == tuple(quaternion_exponential(a * 2))
+    assert tuple(R @ R) == tuple(tensor_exponential(a * 2)) == tuple(first_principles.tensor_by_sandwich(q))
+
+
 def test_singular_compositions_raise() -> None:
     e = Vector.dual([Fraction(1), Fraction(0), Fraction(0)], [Fraction(0)] * 3)
     for closed_form in (evaluation.compose_first_order, evaluation.compose_second_order):
