@@ -80,6 +80,17 @@ def test_transcript_of_a_user_is_decided_without_registration(tmp_path: Path) ->
     assert "(4) is false" in shown.stdout
 
 
+@pytest.mark.parametrize(
+    ("relation", "method"), [("r + x == 2*x", "exact"), ("not r == x + 1", "exact where symbols are generic, true at ")]
+)  # fmt: skip
+def test_named_relation_is_as_exact_as_its_definition(relation: str, method: str) -> None:
+    text = f'''[paper]\nconditions = "stated"\n[letters]\nx = "real"\n[definitions]\n"named(r)" = "{relation}"
+[[equation]]\nnumber = "1"\nclaim = "named(x)"'''
+    (entry,) = sheet(text, "named.toml").entries()
+    found = decide("named", entry).method
+    assert found.startswith(method) if method.endswith(" ") else found == method
+
+
 def test_characters_of_printed_latex() -> None:
     assert characters(r"\left\| \hat{b} \right\| = \frac{\hat{X}' - \hat{x}'}{2}") == r"\hat{b}={\hat{X}'-\hat{x}'}{2}"
     assert characters(r"\stackrel{\mathbf{r}}{b} \cdot Tan\frac{f}{2}, \quad \text{ of (14)}") == "b·tan{f}{2},"
