@@ -153,7 +153,7 @@ def test_every_kind_of_letter_has_values(kind: str) -> None:
     symbol, shape = letter("a", kind)
     row = KINDS.get(symbol.quantity.name)
     if row is None:
-        assert kind.endswith(("order", "sign"))
+        assert kind.endswith(("order", "branch", "sign"))
         return
     built = row.build([Fraction(j + 2, 3) for j in range(row.size)])
     assert {"quaternion": isinstance(built, Quaternion), "number": not hasattr(built, "map"),
