@@ -58,27 +58,16 @@ def body_twist(R: Tensor, R_dot: Tensor) -> Vector:
     return (R.transpose @ R_dot).vect()
 
 
-def tangent(tensor: Callable[[Vector], Tensor], v: Vector) -> Tensor:
-    """Return the operator that takes v̇ to the space twist of ``tensor(v)``, by differentiation along each axis."""
+def tangent(displacement: Callable[[Vector], Tensor | Quaternion], v: Vector) -> Tensor:
+    """Return the operator from v̇ to the space twist of a displacement, by differentiation along each axis.
+
+    The displacement is a tensor or a quaternion that need not be a unit.
+    """
     columns = []
     for axis in Tensor.identity().rows:
-        R = tensor(Vector(*(_moving(c, rate) for c, rate in zip(v, axis, strict=True))))
-        columns.append(_twist(R))
+        moved = displacement(Vector(*(_moving(c, rate) for c, rate in zip(v, axis, strict=True))))
+        columns.append(_twist(moved))
     return Tensor.from_entries(entry for column in columns for entry in column).transpose
-
-
-def axis_rates(tensor: Callable[[Coefficient, Vector], Tensor], alpha: Coefficient, u: Vector) -> Tensor:
-    """Return the operator from the space twist of ``tensor(α, u)`` to u̇; ZeroDivisionError if u̇ is not determined."""
-    across = (u.cross(Vector(*row)) for row in Tensor.identity().rows)
-    first = next(w for w in across if not is_zero(real_part(w.dot(w))))
-    motions = ((1, u * 0), (0, first), (0, u.cross(first)))
-    twists, rates = [], []
-    for alpha_dot, u_dot in motions:
-        R = tensor(_moving(alpha, alpha_dot), Vector(*(_moving(c, rate) for c, rate in zip(u, u_dot, strict=True))))
-        twists.append(_twist(R))
-        rates.append(u_dot)
-    of_twists, of_rates = (Tensor.from_entries(c for row in rows for c in row).transpose for rows in (twists, rates))
-    return of_rates @ of_twists.inverse()
 
 
 def _moving(c: Coefficient, rate: Coefficient) -> Dual:
@@ -93,5 +82,10 @@ def _part(c: Any, part: Callable[[Any], Any]) -> Any:
     return Dual(part(c.re), part(c.du)) if isinstance(c, Dual) and isinstance(c.re, Dual) else part(c)
 
 
-def _twist(R: Tensor) -> Vector:
-    return twist(R.map(lambda c: _part(c, real_part)), R.map(lambda c: _part(c, dual_part)))
+def _twist(moved: Tensor | Quaternion) -> Vector:
+    now: Any = moved.map(lambda c: _part(c, real_part))
+    rate: Any = moved.map(lambda c: _part(c, dual_part))
+    if isinstance(moved, Tensor):
+        return twist(now, rate)
+    found: Vector = (rate * now.conjugate()).vector * 2 / now.norm2()
+    return found

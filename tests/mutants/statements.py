@@ -12,9 +12,8 @@ from derive.claims.deciding.claim import Claim
 from derive.claims.deciding.places import places
 from derive.claims.equation import Entry
 from derive.claims.language.operator_table import negated
-from derive.claims.language.printed import RELATION, Apply, Number, Symbol, Term
+from derive.claims.language.printed import RELATION, Apply, Number, Term
 from derive.claims.numbers.balls import BlurredError
-from derive.claims.numbers.kinds import PROPOSITION
 from derive.claims.result import Result
 from derive.papers import PAPERS
 
@@ -116,8 +115,6 @@ def changed(statement: Term) -> Iterator[tuple[str, Term]]:
 def _mutants(node: Term) -> Iterator[tuple[str, Term]]:
     if isinstance(node, Number):
         yield f"{node.value} raised by 1", Number(node.value + 1)
-    if isinstance(node, Symbol) and node.quantity is PROPOSITION:
-        yield f"{node.name} negated", negated(node)
     if not isinstance(node, Apply):
         return
     yield from _other_operators(node)

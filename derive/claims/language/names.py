@@ -45,6 +45,7 @@ def is_number(kind: Kind) -> bool:
 
 TESTS: dict[str, Callable[[Kind], bool]] = {
     "integer": lambda kind: kind == "integer",
+    "infinity": lambda kind: kind == "infinity",
     "number": is_number,
     "vector": lambda kind: kind == VECTOR,
     "quaternion": lambda kind: kind in ("quaternion", VECTOR) or is_number(kind),

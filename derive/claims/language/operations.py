@@ -171,12 +171,12 @@ OPERATIONS: dict[str, Operation] = {
                                "left_jacobian(exp(skew(v)), v)", binds=True),
     "right_jacobian": Operation(("tensor or pose", "column"), _group_jacobian, calculus.right_jacobian,
                                 "the same in the body frame", "right_jacobian(exp(skew(v)), v)", binds=True),
-    "sum": Operation(("integer", "integer", "integer", "value"), lambda k, a, b, term: term, t.summation,
+    "sum": Operation(("integer", "integer", "integer or infinity", "value"), lambda k, a, b, term: term, t.summation,
                      "sum over an integer letter", "sum(k, 0, n, x**k)", binds=True),
     "all": Operation(("integer", "integer", "integer", "relation"), "truth", t.every,
                      "relation for every value of an integer letter", "all(k, 1, 3, entry(cross(v, v), k) == 0)",
                      binds=True),
-    "limit": Operation(("value", "number", "number"), same, calculus.limit, "limit from both sides",
+    "limit": Operation(("value", "number", "number or infinity"), same, calculus.limit, "limit from both sides",
                        "limit(sin(x)/x, x, 0)", binds=True),
     "integral": Operation(("value", "number", "number", "number"), same, calculus.integral, "integral over a letter",
                           "integral(cos(t), t, 0, a)", binds=True),
@@ -197,7 +197,7 @@ OPERATIONS: dict[str, Operation] = {
 """Operations by name. `matrix`, `block`, `entry`, `identity` and `zeros` take literals; `claims` has their rules."""
 
 CONSTANTS: dict[str, tuple[Symbol, Kind]] = {
-    "I": (t.identity, TENSOR), "pi": (t.pi, "number"), "eps": (t.epsilon, "number"), "infinity": (t.infinity, "number"),
+    "I": (t.identity, TENSOR), "pi": (t.pi, "number"), "eps": (t.epsilon, "number"), "infinity": (t.infinity, "infinity"),
 }
 
 

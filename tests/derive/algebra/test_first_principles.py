@@ -9,7 +9,7 @@ from typing import Any
 import mpmath
 import pytest
 
-from derive.algebra import Dual, Quaternion, Tensor, Vector, ZeroDivisorError, first_principles, functions
+from derive.algebra import Dual, Quaternion, Tensor, Vector, ZeroDivisorError, first_principles
 from derive.algebra.first_principles import quaternion_exponential, tensor_exponential
 from derive.maps import cayley_scalars
 from derive.proof import evaluation
@@ -49,26 +49,6 @@ def test_tangent_operators_are_differentials(n: int, real: bool, draw: Draw, gap
     v = draw().re if real else draw()
     found = first_principles.tangent(lambda at: cayley_scalars.tensor(n, at.dot(at)).tensor(at), v)
     assert gap(found, cayley_scalars.tangent(n, v.dot(v)).tensor(v)) < TINY
-
-
-@pytest.mark.parametrize("real", [False, True])
-def test_rates_of_the_axis_are_found_from_three_motions(real: bool, draw: Draw, gap: Gap) -> None:
-    v = draw().re if real else draw()
-    u, angle = v / functions.sqrt(v.dot(v)), mpmath.mpf("0.8") if real else Dual(mpmath.mpf("0.8"), mpmath.mpf(3))
-    assert gap(first_principles.axis_rates(about, angle, u), rate_of_axis(angle, u)) < TINY
-
-
-def test_rates_of_the_axis_along_a_coordinate_axis(gap: Gap) -> None:
-    """Expect rates for u along a coordinate axis e, although ``u × e`` = 0 gives no direction across u."""
-    for axis in Tensor.identity().rows:
-        u, angle = Vector(*map(mpmath.mpf, axis)), mpmath.mpf("0.8")
-        assert gap(first_principles.axis_rates(about, angle, u), rate_of_axis(angle, u)) < TINY
-
-
-def test_rates_of_the_axis_without_rotation_raise(draw: Draw) -> None:
-    v = draw().re
-    with pytest.raises(ZeroDivisionError):
-        first_principles.axis_rates(about, mpmath.mpf(0), v / v.magnitude())
 
 
 @pytest.mark.parametrize("size", [0, 1])
