@@ -6,7 +6,7 @@ entries, so that a statement stands as printed. Each condition is tested on both
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -80,13 +80,22 @@ class Transcript:
             yield from self._definitions([body])
 
 
-def _definition(symbol: Symbol, parameters: Sequence[Symbol], body: Term) -> Definition:
-    def value(env: Env) -> Any:
-        if not parameters:
-            return env.value(body)
-        return lambda *values: replace(env, values={**env.values, **dict(zip(parameters, values))}).value(body)
+@dataclass(frozen=True)
+class _Meaning:
+    """Meaning of a name: the value of a term, or a function of its parameters."""
 
-    return let(symbol, value, *(a for a in symbols(body) if a.quantity.varies))
+    parameters: tuple[Symbol, ...]
+    body: Term
+
+    def __call__(self, env: Env) -> Any:
+        def called(*values: Any) -> Any:
+            return replace(env, values={**env.values, **dict(zip(self.parameters, values))}).value(self.body)
+
+        return called if self.parameters else env.value(self.body)
+
+
+def _definition(symbol: Symbol, parameters: tuple[Symbol, ...], body: Term) -> Definition:
+    return let(symbol, _Meaning(parameters, body), *(a for a in symbols(body) if a.quantity.varies))
 
 
 def _sharp(condition: Term | None) -> Term | None:

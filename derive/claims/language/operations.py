@@ -197,7 +197,8 @@ OPERATIONS: dict[str, Operation] = {
 """Operations by name. `matrix`, `block`, `entry`, `identity` and `zeros` take literals; `claims` has their rules."""
 
 CONSTANTS: dict[str, tuple[Symbol, Kind]] = {
-    "I": (t.identity, TENSOR), "pi": (t.pi, "number"), "eps": (t.epsilon, "number"), "infinity": (t.infinity, "infinity"),
+    "I": (t.identity, TENSOR), "pi": (t.pi, "number"), "eps": (t.epsilon, "number"),
+    "infinity": (t.infinity, "infinity"),
 }
 
 

@@ -10,7 +10,7 @@ import pytest
 import derive
 from derive.claims.decide import decide
 from derive.claims.equation import UndecidedError
-from derive.claims.extracted import characters
+from derive.claims.extracted import characters, plain
 from derive.claims.result import Status
 from derive.claims.sheet import Sheet, sheet
 from derive.papers import PAPERS
@@ -24,6 +24,7 @@ def test_frame_is_not_chosen_if_components_are_read() -> None:
     components = {entry.number for entry in PAPER.entries() if entry.components}
     assert {"skew-entries", "matrix", "vector", "14", "18", "denominators"} <= components
     assert components.isdisjoint({"length", "module", "7", "positions"})
+    assert not any(entry.components for entry in PAPERS[0].entries({"22-vector", "double-cover", "42"}))  # quaternions
 
 
 def altered(old: str, new: str) -> Sheet:
@@ -85,6 +86,27 @@ def test_named_relation_is_as_exact_as_its_definition(relation: str, method: str
     (entry,) = sheet(text, "named.toml").entries()
     found = decide("named", entry).method
     assert found.startswith(method) if method.endswith(" ") else found == method
+
+
+def test_words_that_are_no_formula_are_undecided_for_the_reason_given(tmp_path: Path) -> None:
+    row = '[[equation]]\nnumber = "4"\ntitle = "a name"\nsaid = "called f"\nundecided = "a name is no statement"\n'
+    (tmp_path / "mine.toml").write_text(TRANSCRIPT + row, encoding="utf-8")
+    _, named = derive.verify(tmp_path / "mine.toml")
+    assert (named.status, named.method) == (Status.UNDECIDED, "a name is no statement")
+    shown = dualcay("verify", str(tmp_path / "mine.toml"), "--strict")
+    assert shown.returncode == 1
+    assert "a name is no statement" in shown.stdout
+
+
+@pytest.mark.parametrize(
+    ("formula", "expected"),
+    [(r"\frac{1}{2}\, \tilde{\underline{\mathbf{v}}}_{1}", "12v~_1"), (r"\dot{\underline{\boldsymbol{\omega}}}", "ω˙"),
+     (r"\tilde{\tilde{a}\, b}^{T}", "a~b~^T"),
+     (r"\operatorname{atan2}\left(\pm \sin \frac{\alpha}{2}\right)", "atan2(±sinα2)"),
+     (r"\sum_{k=0}^{\infty} \begin{cases} a, & \text{when } b\\ c \end{cases}", "_k=0^a,whenbc")],
+)  # fmt: skip
+def test_characters_of_latex_without_its_layout(formula: str, expected: str) -> None:
+    assert plain(formula) == expected
 
 
 def test_characters_of_printed_latex() -> None:
