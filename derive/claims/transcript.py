@@ -18,8 +18,9 @@ from .language.claims import statement
 from .language.environment import Definition, Env, let
 from .language.matrices import unlike
 from .language.names import CALL, CALLS, ClaimError, Scope
-from .language.operator_table import nonzero, words
+from .language.operator_table import equal, nonzero, words
 from .language.printed import Apply, Number, Symbol, Term, Trait, shown_as, symbols, walk, with_trait
+from .numbers.kinds import ORDER
 
 READING_KEYS = ("claim", "note", "supported_by")
 WORDS = ("title", "stated", "lost", "undecided", "fixed_by", "said", "remark")
@@ -56,7 +57,7 @@ class Transcript:
         return Entry(
             row["number"], readings, line=line, extract=row.get("extract") or Latex(row.get("latex", "")),
             where=tuple(definition for definition, _ in definitions), claimed=domain, condition=_sharp(condition),
-            corrected=corrected, because=because, moving=bool(with_trait(Trait.RATE, *inside)),
+            corrected=corrected, because=because, orders=_orders(domain), moving=bool(with_trait(Trait.RATE, *inside)),
             components=bool(heads & COMPONENTWISE), source=self.source, at=self._section(line),
             abbreviations=self.scope.abbreviations,
             **{key: row[key] for key in WORDS if key in row},
@@ -96,6 +97,13 @@ class _Meaning:
 
 def _definition(symbol: Symbol, parameters: tuple[Symbol, ...], body: Term) -> Definition:
     return let(symbol, _Meaning(parameters, body), *(a for a in symbols(body) if a.quantity.varies))
+
+
+def _orders(domain: Term | None) -> tuple[int, ...] | None:
+    """Return the orders that a domain such as ``n == 2`` names, which are tried whichever are asked for."""
+    equations = [] if domain is None else [node.arguments for node in walk(domain) if node.operator is equal]
+    found = [b.value for a, b in equations if isinstance(a, Symbol) and a.quantity is ORDER and isinstance(b, Number)]
+    return tuple(found) or None
 
 
 def _sharp(condition: Term | None) -> Term | None:

@@ -1,6 +1,6 @@
-"""Table of operators with their LaTeX, their characters in the extracted text, and their values.
+"""Table of operators with their LaTeX, their plain text, and their values.
 
-A call of an operator builds a term: ``equal(R, I + 2 * q * skew(q))``. Papers add their own operators with `define`.
+A call of an operator builds a term: ``equal(R, I + 2 * q * skew(q))``.
 """
 
 from __future__ import annotations
@@ -68,7 +68,7 @@ def _power(env: Env, base: Term, exponent: Term) -> Any:
         return reduce(matrix.product, [factor] * abs(e), matrix.identity(len(value.rows)))
     if env.field.ordered and not isinstance(e, int | Fraction) and not isinstance(value, Structure):
         return env.field.exp(env.field.log(value) * e)
-    return (lambda a: env.field.power(value(a), e)) if callable(value) else env.field.power(value, e)
+    return env.field.power(value, e)
 
 
 define("power", "{0}^{{{1}}}", "{0}^{1}", POWER, (ATOM, LIST), _power, lazy=True)
