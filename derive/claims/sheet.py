@@ -204,8 +204,8 @@ class _Reader:
                 raise ClaimError("this number is given twice")
             self.numbers.add(label)
             _check(row, STATED_KEYS if transcript else KEYS)
-            if "claim" not in row and not row.get("reading") and "undecided" not in row:
-                raise ClaimError("an equation has a claim, such as claim = \"a == b\"")
+            if bool("claim" in row or row.get("reading")) is ("undecided" in row):
+                raise ClaimError("an equation has a claim, such as claim = \"a == b\"; or it is undecided")
             row = {**row, "number": label}
             return transcript.entry(row) if transcript else _entry(row, scope, self.file)
         except ClaimError as error:

@@ -58,6 +58,8 @@ def test_altered_entry_is_refused(number: str, old: str, new: str, reason: str) 
     [('line = 133', 'line = "133"', "equation 1: line is an integer, got str"),
      ('note = "over i < j"', 'remark = "over i < j"', "equation quadratic-expansion: unknown key remark"),
      ('condition = "T >= 0"', 'condition = "T >= "', "equation real-norm, column 1: condition: "),
+     ('undecided = "which functions', 'claim = "v == v"\nundecided = "which functions',
+      "equation no-transcendental-functions: an equation has a claim, such as claim = \"a == b\"; or it is undecided"),
      ("line_t == Rt*line_0", "line_t == line_0*Rt", "equation 66, column 11: a vector * a tensor")],
 )  # fmt: skip
 def test_what_cannot_be_read_is_one_line(old: str, new: str, problem: str) -> None:
