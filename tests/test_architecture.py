@@ -26,8 +26,8 @@ ORDER = {
         "report",
     ),
     "derive.claims.deciding": (
-        "claim", "constrained", "singular", "zeros", "proof", "polar", "identity", "uphill", "places", "conditions",
-        "existence", "regions", "changes", "counterexample", "finding",
+        "claim", "constrained", "singular", "zeros", "proof", "polar", "identity", "equal_sides", "uphill", "places",
+        "conditions", "existence", "ordering", "regions", "changes", "counterexample", "finding",
     ),
     "derive.codegen": (
         "programs", "lowering", "rows", "signatures", "validation", "package", "targets", "catalogue",

@@ -125,7 +125,7 @@ class Result(Typeset):
     @property
     def anchor(self) -> str:
         """Permanent anchor of the entry in the report pages."""
-        return f"{self.paper}-{self.equation.number}"
+        return re.sub(r"[^\w.-]+", "-", f"{self.paper}-{self.equation.number}")
 
     def as_json(self) -> dict[str, Any]:
         """Return the fields printed by ``--format json``."""

@@ -14,8 +14,10 @@ from pathlib import Path
 from typing import Any
 
 from .equation import Entry, Home, Paper, Reading
-from .language.claims import statement, tree
-from .language.letters import LITERALS, letter
+from .language.claims import statement
+from .language.expressions import tree
+from .language.letters import LITERALS
+from .language.letters import letters as declared
 from .language.names import Abbreviation, ClaimError, Scope, expanded
 from .language.operations import CONSTANTS, OPERATIONS
 from .language.printed import Symbol, Term
@@ -91,7 +93,7 @@ def load(path: str | Path) -> Sheet:
     if len(content) > BYTES_MAX:
         raise SheetError(f"{name}: a file has at most {BYTES_MAX} bytes")
     try:
-        text = content.decode("utf-8")
+        text = content.decode("utf-8-sig")
     except UnicodeDecodeError as error:
         wrong = f"the byte {content[error.start]:#x} at {error.start}"
         raise SheetError(f"{name}: expected UTF-8 text, got {wrong}") from None
@@ -145,7 +147,7 @@ def sheet(text: str, name: str, home: Home | None = None) -> Sheet:
 
 def claim_alone(claim: str, letters: Mapping[str, str], domain: str = "") -> Sheet:
     """Return a single claim as a sheet; raise ClaimError."""
-    scope = Scope({name: letter(name, kind) for name, kind in letters.items()})
+    scope = Scope({a: symbol for name, kind in letters.items() for a, symbol in declared(name, kind).items()})
     entry = _entry({"number": "", "claim": claim, **({"domain": domain} if domain else {})}, scope, "")
     return Sheet("", "claim", read=lambda numbers: ((entry,), ()), request=(claim, dict(letters), domain))
 
@@ -178,8 +180,8 @@ class _Reader:
         known = {}
         for name, kind in letters.items():
             try:
-                symbol, of = letter(name, kind)
-                known[name] = Symbol(*map(str, (*symbol.args[:2], shown.get(name, symbol.args[2]), name))), of
+                for a, (symbol, of) in declared(name, kind).items():
+                    known[a] = Symbol(*map(str, (*symbol.args[:2], shown.get(a, symbol.args[2]), a))), of
             except ClaimError as error:
                 self.problem(f"letter {name}", error.message)
         found: dict[str, Abbreviation] = {}

@@ -8,10 +8,12 @@ zeros           zeros of singular parts along lines of points
 proof           proof of a claim at generic values of an exact field, for all orders where it can
 polar           letters in polar form: lengths, angles and directions
 identity        proof of a claim at independent generators, exactly or modulo a random prime
+equal_sides     points at which both sides of an order relation are equal or a floor jumps
 uphill          corners of a bounded domain, and the way uphill from one
 places          points at which a claim may fail
 conditions      conditions of a claim, found from the points where a part has no value, and their sharpness
-existence       proof that both sides have a value, and of order relations
+existence       proof that both sides have a value
+ordering        proof of order relations, by signs of exact numbers or along one number
 regions         region on which a claim of one branch is true
 changes         changes in one step that mend a claim, terms that do not matter, constraints that it needs
 counterexample  numbers of a point at which a claim fails

@@ -50,6 +50,7 @@ class Place:
     values: Mapping[Symbol, Any] = field(default_factory=dict)  # values that coordinates do not reach
     pair: bool = False
     zero: Term | None = None  # number that certainly vanishes somewhere in the balls of the coordinates
+    known: Mapping[Term, Term] = field(default_factory=dict)  # parts with a value that is certain there
 
     @property
     def exact(self) -> bool:
@@ -115,6 +116,13 @@ class Claim:
             raise RefusedError(f"rates are nested more than {RATES_MAX} deep")
         return depth
 
+    @cached_property
+    def at_rest(self) -> frozenset[Symbol]:
+        """Letters of a claim of a file whose rates no part asks for."""
+        asked = {a for part in with_trait(Trait.RATE, *self.parts) for a in symbols(part)}
+        plain = self.entry.of_file and not (self.entry.moving or self.entry.where)
+        return frozenset(self.coordinates) - asked if plain else frozenset()
+
     def env(self, place: Place, field: Field | None = None) -> Env:
         """Return the environment at a point, over balls by default."""
         values: dict[Symbol, Any] = {a: value for a, value in place.at.items() if a not in self.coordinates}
@@ -157,7 +165,7 @@ class Claim:
 
         def coefficient(value: Any) -> Any:
             rates = [number(next(further)) for _ in range(self.depth)]
-            return jet(value, [0 * rate for rate in rates] if still else rates)
+            return value if letter in self.at_rest else jet(value, [0 * rate for rate in rates] if still else rates)
 
         def part(c: Any) -> Any:
             value = coefficient(number(c))
@@ -172,7 +180,7 @@ class Claim:
 
         Raise `BlurredError` if neither the second precision, nor exact numbers, nor a certain zero tell.
         """
-        part = self.statement if statement is None else statement
+        part = (self.statement if statement is None else statement).xreplace(dict(place.known))
         try:
             found: bool | None = self.evaluated(place, part, bool)
         except BlurredError:

@@ -29,7 +29,7 @@ def shown_at(claim: Claim, place: Place, words: str = "") -> Counterexample:
             letters = letters or {name: parts for name, parts in numbers.items() if parts}
             for proof, field in (("exact rationals", exact), ("disjoint intervals", env)):
                 with suppress(ArithmeticError, TypeError, AttributeError):
-                    if found := sides(field, claim.statement):
+                    if found := sides(field, claim.statement.xreplace(dict(place.known))):
                         return Counterexample(words or place.label, letters, found, proof)
     return Counterexample(words or place.label, letters, ())
 

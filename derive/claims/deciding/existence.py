@@ -1,4 +1,4 @@
-"""Proof that both sides of a claim have a value, and of order relations, by the signs of exact numbers.
+"""Proof that both sides of a claim have a value, by the signs of exact numbers.
 
 A partial operation asks something of a number: a divisor is not 0, a radicand is not negative. This is proved where the
 factors of the number have one sign on the stated domain, or are asked to by a condition that was found.
@@ -10,19 +10,26 @@ from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 from dataclasses import field as of_class
+from fractions import Fraction
 from typing import Any
 
 from ...algebra import Structure, Tensor
-from ...algebra.element import Element
+from ...algebra.element import Element, NotExactError
 from ...algebra.matrix import Matrix
 from ..language.environment import Env
-from ..language.operator_table import both, cos, det, norm, sin
-from ..language.printed import Number, Symbol, Term, Trait
+from ..language.operator_table import cos, det, norm, sin
+from ..language.printed import Number, Symbol, Term
 from ..numbers.fields import innermost
 from ..numbers.generators import Generators
-from .claim import Claim
-from .identity import ABSENT, STRICT, difference, identical, not_negative, orders_of, setting, with_free_product
+from .claim import Claim, kind, operators
+from .identity import ABSENT, STRICT, difference, not_negative, setting, with_free_product
+from .proof import COMPONENTWISE
 from .singular import size
+
+MARGIN = Fraction(1, 1000)
+"""Distance from 0 of a number that is proved not to be 0 at generic values, so it is 0 nowhere."""
+DEPTH = 4
+"""Largest number of roots and logarithms that a proof of a sign takes in turn."""
 
 
 @dataclass(frozen=True)
@@ -32,6 +39,8 @@ class Signs:
     env: Env
     nonzero: list[Any] = of_class(default_factory=list)
     named: list[Term] = of_class(default_factory=list)  # terms that are not 0
+    free: bool = False  # whether a frame may be turned so that no direction is the one that polar forms leave out
+    numbers: frozenset[str] = frozenset()  # letters that reach all their values
 
     @property
     def field(self) -> Any:
@@ -64,7 +73,7 @@ class Signs:
                 self.nonzero.extend(self.ring.factors(self.number(difference(part))))
             elif name in STRICT:
                 gap = self.field.element(not_negative(self.env, part))
-                self.field.assumed.append(gap)
+                self.field.assumed += [gap, *self._squared(gap)]
                 self.nonzero.extend(self.ring.factors(gap) if STRICT[name] else [])
             elif name in ("both", "and"):
                 for one in arguments:
@@ -72,37 +81,106 @@ class Signs:
         except ABSENT:
             return
 
+    def _squared(self, gap: Element) -> Iterator[Element]:
+        """Yield ``a a - b b r r`` for a number ``a - b r`` that is not negative, with a root r and positive a and b."""
+        for _, name in self.field.extensions:
+            part = -self._lone(gap, name) * self.field.symbol(name)
+            if part and self.field.is_positive(part) and self.field.is_positive(gap + part):
+                yield (gap + part) ** 2 - part**2
+
     def is_nonzero(self, a: Element) -> bool:
         """Return whether a number is proved to be 0 nowhere."""
-        one = self.ring.library.one
-        return bool(a) and all(
-            factor in self.nonzero or self.ring.definite(factor, strict=True)
-            for factor in self.ring.factors(a) if factor != one
+        return bool(a) and (all(map(self._is_apart, self.ring.factors(a))) or (
+            not self.free and any(self.field.is_positive(b - MARGIN) for b in (a, -a))))
+
+    def _is_apart(self, factor: Any) -> bool:
+        """Return whether a factor is 0 nowhere; that of several letters also in limits of polar forms."""
+        if factor in (self.ring.library.one, *self.nonzero) or self._is_root_apart(factor):
+            return True
+        if not self.ring.definite(factor, strict=True):
+            return False
+        letters = self._letters(self.ring.fraction(factor, self.ring.library.one))
+        if len(letters) < 2 or letters <= self.numbers:
+            return True
+        return self.free and self.ring.definite(factor, strict=True, limits=True)
+
+    def _letters(self, a: Element) -> set[str]:
+        """Return the names of the letters on which a number depends."""
+        found: set[str] = set()
+        for name in self.field.used(a):
+            known = self.field.meaning.get(name, ("", ()))[1]
+            parts = known if isinstance(known, tuple) else (known,)
+            found |= set().union(*map(self._letters, parts)) if parts else {name.split(".")[0]} - {"pi"}
+        return found
+
+    def _is_root_apart(self, factor: Any) -> bool:
+        """Return whether a factor is the root of a number that is 0 nowhere."""
+        roots = (square for square, name in self.field.extensions if factor == self.field.symbol(name).numerator)
+        return any(map(self.is_nonzero, roots))
+
+    def is_positive(self, a: Element, strict: bool = False, depth: int = DEPTH) -> bool:
+        """Return whether a number is proved not to be negative, or to be positive if `strict`.
+
+        Of ``a + b r`` with a root r the squares tell, of ``a + b log(c)`` the exponentials.
+        """
+        if not strict and (not a or self.field.is_positive(a)):
+            return True
+        if strict and self.field.is_positive(a) and self.is_nonzero(a):
+            return True
+        return bool(depth) and (
+            self._is_above_root(a, strict, depth - 1) or self._is_above_logarithm(a, strict, depth - 1)
+            or self._is_above_assumed(a, strict)
         )  # fmt: skip
 
-    def not_negative(self, a: Element) -> bool:
-        """Return whether a number is proved to be 0 or positive, for ``a - b r`` with a root r by the squares."""
-        if not a or self.field.is_positive(a):
-            return True
+    def _lone(self, a: Element, name: str) -> Element:
+        """Return the factor of a generator in a number, if it occurs to the first power only."""
+        found: Element = self.ring.fraction(a.numerator.derivative(self.ring.index(name)), a.denominator)
+        return found
+
+    def _is_above_root(self, a: Element, strict: bool, depth: int) -> bool:
         for _, name in self.field.extensions:
-            i = self.ring.index(name)
-            lone = self.ring.fraction(a.numerator.derivative(i), a.denominator)
-            rest, r = a - lone * self.field.symbol(name), self.field.symbol(name)
-            if self.field.is_positive(rest) and self.not_negative(rest * rest - lone * lone * r * r):
+            part = self._lone(a, name) * self.field.symbol(name)
+            for one, other in ((a - part, part), (part, a - part)) if part else ():
+                if self.is_positive(one, False, depth) and self.is_positive(one * one - other * other, strict, depth):
+                    return True
+        return False
+
+    def _is_above_logarithm(self, a: Element, strict: bool, depth: int) -> bool:
+        for known, logarithm in self.field.logarithms:
+            lone = self._lone(a, str(logarithm))
+            with suppress(NotExactError):
+                if lone and self.field.is_positive(lone):
+                    return self.is_positive(known - self.field.exp(-(a - lone * logarithm) / lone), strict, depth)
+        return False
+
+    def _is_above_assumed(self, a: Element, strict: bool) -> bool:
+        """Return whether a number is positive even without a multiple of one that is assumed not to be negative."""
+        for known in self.field.assumed:
+            top, bottom = (self.ring.library.terms(b.numerator) for b in (a, known))
+            ratios = {top[powers] / c for powers, c in bottom.items() if powers in top}
+            if any(self.is_positive(a - ratio * known, strict, 0) for ratio in ratios if ratio > 0):
                 return True
         return False
 
 
+def is_frame_free(claim: Claim) -> bool:
+    """Return whether all vectors may be turned together, as no component is taken."""
+    return COMPONENTWISE.isdisjoint(name.split()[0] for name in operators(*claim.parts) if name)
+
+
 def signs_of(claim: Claim, condition: Sequence[Term] = ()) -> list[Signs]:
     """Return the signs for each choice of orders, with what domain and condition say."""
-    found = []
-    for fixed in claim.choices:
-        domain = [] if claim.entry.claimed is None else [claim.entry.claimed]
-        signs = Signs(setting(claim, Generators, fixed, real=True))
-        for part in (*domain, *condition):
-            signs.assume(part)
-        found.append(signs)
-    return found
+    return [signs_in(claim, setting(claim, Generators, fixed, real=True), condition) for fixed in claim.choices]
+
+
+def signs_in(claim: Claim, env: Env, condition: Sequence[Term] = ()) -> Signs:
+    """Return the signs in an environment over generators, with what domain and condition say."""
+    domain = [] if claim.entry.claimed is None else [claim.entry.claimed]
+    free = is_frame_free(claim) and not any(kind(a).projective and kind(a).size == 4 for a in claim.coordinates)
+    signs = Signs(env, free=free, numbers=frozenset(a.name for a in claim.coordinates if kind(a).size == 1))
+    for part in (*domain, *condition):
+        signs.assume(part)
+    return signs
 
 
 def undecided_parts(claim: Claim, condition: Sequence[Term] = ()) -> list[Term]:
@@ -132,7 +210,7 @@ def _has_value(signs: Signs, part: Term, asked: str) -> bool:
         number = signs.number(part, innermost)
         if asked == "within 1":
             number = 1 - number * number
-        return signs.not_negative(number) and (asked != "logarithm" or signs.is_nonzero(number))
+        return signs.is_positive(number, strict=asked == "logarithm")
     except ABSENT:
         return False
 
@@ -197,24 +275,3 @@ def _partial(statement: Term, moving: bool) -> Iterator[tuple[Term, str]]:
             yield (cos if name == "tan" else sin)(*arguments), "not 0"
         elif name == "atan2 of two":
             yield arguments[0] ** 2 + arguments[1] ** 2, "not 0"
-
-
-def ordered(claim: Claim) -> bool:
-    """Return whether the order relations that a claim states are proved, for all n if it is about orders."""
-    try:
-        return not orders_of(claim) and all(_is_true(claim, signs, claim.statement) for signs in signs_of(claim))
-    except ABSENT:
-        return False
-
-
-def _is_true(claim: Claim, signs: Signs, statement: Term) -> bool:
-    """Return whether a statement is proved, and no root of unknown sign occurs in its order relations."""
-    name = statement.operator.name
-    if Trait.JOINS in statement.operator.traits or statement.operator is both:
-        return all(_is_true(claim, signs, part) for part in statement.arguments)
-    if name == "unlike":
-        return signs.is_nonzero(signs.number(difference(statement))) and not signs.field.roots
-    if name not in STRICT:
-        return identical(claim.with_statement(statement)) is not None
-    gap = signs.field.element(not_negative(signs.env, statement))
-    return signs.not_negative(gap) and (not STRICT[name] or signs.is_nonzero(gap)) and not signs.field.roots

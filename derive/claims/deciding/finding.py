@@ -22,8 +22,9 @@ from ..numbers.balls import PRECISIONS, BlurredError, precision
 from ..result import Status
 from .claim import Claim, Place, RefusedError, operators
 from .conditions import exclusions, is_sharp, plain
-from .existence import ordered, undecided_parts
+from .existence import undecided_parts
 from .identity import CUT, MODULO, identical
+from .ordering import ordered
 from .places import Probe, places
 from .proof import ContradictionError, proved
 from .regions import REGION_MIN, Region, branched, region
@@ -185,7 +186,7 @@ def _inside(at: Outcome, within: Region | None) -> list[Place]:
 
 def _condition(probe: Probe, at: Outcome, within: Region | None) -> tuple[str, Place | None]:
     """Return the condition under which a claim is true, in words, and a point outside it."""
-    border = within is not None and any(within.test(place) is None for place in at.undefined)
+    border = within is not None and any(within.test(place) is None for place in (*at.undefined, *at.false))
     found = exclusions(probe.claim, _inside(at, within))
     parts = [within.strict if border else within.words] if within else []
     words = " and ".join(dict.fromkeys([*parts, *(plain(probe, requirement) for requirement in found)]))

@@ -17,14 +17,14 @@ from ...algebra.element import NotExactError
 from ..language.environment import Env
 from ..language.matrices import inverse
 from ..language.operations import written
-from ..language.operator_table import both
-from ..language.printed import Number, Symbol, Term, Trait, symbols, with_trait
+from ..language.operator_table import both, over
+from ..language.printed import Number, Symbol, Term, Trait, symbols, walk, with_trait
 from ..numbers.fields import innermost
 from ..numbers.generators import Generators
 from ..numbers.kinds import ORDER
 from ..numbers.residues import SURE_BITS, Residues, UnluckyError
 from .claim import Claim, kind
-from .polar import Polar, bounds, closed_letters
+from .polar import Polar, Way, bounds, closed_letters
 from .proof import steps_of
 
 PRIMES_MAX = 40
@@ -119,22 +119,30 @@ def _evaluated(
 
 
 def setting(
-    claim: Claim, make: Make, fixed: Mapping[Symbol, int], signs: Sequence[int] = (), real: bool = False
-) -> Env:
+    claim: Claim, make: Make, fixed: Mapping[Symbol, int], signs: Sequence[int] = (), real: bool = False,
+    way: Way = Way.POLAR, steps: int = 0,
+) -> Env:  # fmt: skip
     """Return the environment of a claim over independent generators, for one choice of orders.
 
-    Dual letters have their real parts alone if `real`; what has a value is a matter of these.
+    Dual letters have their real parts alone if `real`; what has a value is a matter of these. Angles are taken in
+    `steps` or finer parts.
     """
     domain = [] if claim.entry.claimed is None else conjuncts(claim.entry.claimed)
-    steps = lcm(steps_of(claim.statement), *(4 * n for a, n in fixed.items() if a.quantity is ORDER))
+    steps = lcm(steps or steps_of(claim.statement), *(4 * n for a, n in fixed.items() if a.quantity is ORDER))
     field = partial(make, steps=steps, signs=signs)
-    letters = Polar(claim.coordinates, claim.depth, bounds(domain), field, closed_letters(domain), real)
+    letters = Polar(claim.coordinates, claim.depth, bounds(domain), field, closed_letters(domain), real, way)
     env = Env(letters.field, letters.values | dict(fixed), claim.entry.definitions, False, claim.depth)
     for part in domain:
         if part.operator.name in STRICT:
             with suppress(*ABSENT):
                 letters.field.assumed.append(letters.field.element(not_negative(env, part)))
     return env
+
+
+def whole_steps(statement: Term) -> int:
+    """Return the least integer M such that a statement contains only multiples of α/M, for each free angle α."""
+    divisors = [node.arguments[1] for node in walk(statement) if node.operator is over]
+    return lcm(1, *(d.value for d in divisors if isinstance(d, Number) and d.value))
 
 
 def difference(part: Term) -> Term:

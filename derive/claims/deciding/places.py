@@ -18,6 +18,7 @@ from ..numbers.balls import BlurredError
 from ..numbers.kinds import ORDER, SIGN, Kind, Numbers, special
 from .claim import Claim, Place, bare, kind, operators
 from .constrained import onto, touching
+from .equal_sides import equal_places
 from .singular import ABSENT, ORDERED, Singular, is_integer, singular, size
 from .uphill import Uphill
 from .zeros import Line, at_integers, crossed, lines
@@ -149,7 +150,8 @@ class Probe:
             ]  # fmt: skip
         else:
             stages = [self._short(), self._generic(), self._wide(), self._far(), self._special(), self._related(),
-                      self._rates(), Uphill(self.claim).places(self.drawn()), self._zeros(), self._pairs()]  # fmt: skip
+                      self._rates(), Uphill(self.claim).places(self.drawn()), self._zeros(),
+                      equal_places(self.claim, self.drawn(0.5, 1.5), self.random), self._pairs()]  # fmt: skip
         for place in chain.from_iterable(stages):
             yield replace(place, label=f"{self.label}{place.label}") if self.label else place
 

@@ -90,10 +90,10 @@ class Line:
         value = partial(self.value, part)
         zeros: list[Any] = []
         for _, refined in sorted(_brackets(value, grid, brief), key=lambda row: abs(row[0])):
-            for t in refined():
+            for t in refined() if len(zeros) < ROOTS_MAX else ():
                 f = None if t is None else value(Ball(t))
                 small = f is not None and abs(f) < flint.arb(2) ** -WIDTH
-                if small and len(zeros) < ROOTS_MAX and not any(abs(t - z) < arb(ASIDE) for z in zeros):
+                if small and not any(abs(t - z) < arb(ASIDE) for z in zeros):
                     zeros.append(t)
         return sorted(zeros, key=lambda t: (abs(float(t)), float(t)))
 

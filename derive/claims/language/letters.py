@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ast
 import difflib
+import re
 from collections.abc import Callable
 from typing import Any, Protocol
 
@@ -63,6 +64,19 @@ def letter(name: str, kind: str) -> tuple[Symbol, Kind]:
     stem, _, below = shown.partition("_")
     shown = SHAPES.get(of, "{}").format(stem) + (f"_{below}" if below else "")
     return Symbol(name, quantity, rf"\underline{{{shown}}}" if plain.count("dual") else shown, name), of
+
+
+MEMBERS = range(7)
+"""Indices of a family of letters: more than the orders at which claims are tried."""
+
+
+def letters(name: str, kind: str) -> dict[str, tuple[Symbol, Kind]]:
+    """Return the letters of a declaration by name: one, or for ``w[k]`` the members of a family."""
+    family = re.fullmatch(r"(\w+)\[[A-Za-z]\w*\]", name)
+    if family is None:
+        return {name: letter(name, kind)}
+    found = {f"{family[1]}[{i}]": letter(f"{family[1]}_{i}", kind) for i in MEMBERS}
+    return {name: (Symbol(name, *map(str, (*symbol.args[1:3], name))), of) for name, (symbol, of) in found.items()}
 
 
 SIZE_MAX = 12

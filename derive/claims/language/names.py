@@ -19,7 +19,7 @@ Kind = str | tuple[int, int]
 VECTOR, TWIST, TENSOR, POSE = (3, 1), (6, 1), (3, 3), (4, 4)
 NUMBERS = ("integer", "number")
 NAMES: dict[Kind, str] = {VECTOR: "vector", TENSOR: "tensor (3x3)", TWIST: "column of 6", POSE: "4x4 matrix",
-                          "truth": "relation"}
+                          "truth": "relation", "infinity": "infinity"}
 
 
 class KindError(ValueError):
@@ -36,7 +36,7 @@ def name(kind: Kind) -> str:
 
 
 def article(words: str) -> str:
-    return f"{'an' if words[0] in 'aeiou8' else 'a'} {words}"
+    return words if words == "infinity" else f"{'an' if words[0] in 'aeiou8' else 'a'} {words}"
 
 
 def is_number(kind: Kind) -> bool:
@@ -45,7 +45,6 @@ def is_number(kind: Kind) -> bool:
 
 TESTS: dict[str, Callable[[Kind], bool]] = {
     "integer": lambda kind: kind == "integer",
-    "infinity": lambda kind: kind == "infinity",
     "number": is_number,
     "vector": lambda kind: kind == VECTOR,
     "quaternion": lambda kind: kind in ("quaternion", VECTOR) or is_number(kind),
@@ -56,7 +55,8 @@ TESTS: dict[str, Callable[[Kind], bool]] = {
     "matrix": lambda kind: isinstance(kind, tuple),
     "square matrix": lambda kind: isinstance(kind, tuple) and kind[0] == kind[1],
     "relation": lambda kind: kind == "truth",
-    "value": lambda kind: kind != "truth",
+    "infinity": lambda kind: kind == "infinity",
+    "value": lambda kind: kind not in ("truth", "infinity"),
 }
 """Words for what an operation takes."""
 
@@ -98,6 +98,8 @@ def power_kind(a: Kind, b: Kind) -> Kind:
         return a
     if a == "quaternion" and is_number(b):
         return a
+    if a == VECTOR and b == "integer":
+        raise KindError("a vector ** an integer has no meaning: write norm(v)**2 or dot(v, v), of a quaternion q*q")
     raise KindError(f"{name(a)} ** {name(b)} has no meaning")
 
 

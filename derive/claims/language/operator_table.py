@@ -9,7 +9,7 @@ import math
 from collections.abc import Callable
 from fractions import Fraction
 from functools import reduce
-from itertools import pairwise
+from itertools import count, islice, pairwise
 from typing import Any
 
 from ...algebra import Quaternion, Structure, Tensor, matrix
@@ -56,22 +56,6 @@ def _quotient(env: Env, a: Any, b: Any) -> Any:
     if not isinstance(size, Structure) and env.field.vanishes(innermost(size)):
         raise UndefinedError("division by zero")
     return values.divide(a, b)
-
-
-def _power(env: Env, base: Term, exponent: Term) -> Any:
-    e = env.value(exponent)
-    if Trait.LENGTH in base.operator.traits and isinstance(e, int) and e % 2 == 0:
-        return env.field.power(values.square(env.value(base.arguments[0])), e // 2)  # |v|² = v·v needs no root
-    value = env.value(base)
-    if isinstance(value, matrix.Matrix):
-        factor = value if e > 0 else matrix.inverse(value)
-        return reduce(matrix.product, [factor] * abs(e), matrix.identity(len(value.rows)))
-    if env.field.ordered and not isinstance(e, int | Fraction) and not isinstance(value, Structure):
-        return env.field.exp(env.field.log(value) * e)
-    return env.field.power(value, e)
-
-
-define("power", "{0}^{{{1}}}", "{0}^{1}", POWER, (ATOM, LIST), _power, lazy=True)
 
 
 def _root(env: Env, a: Any) -> Any:
@@ -141,11 +125,13 @@ def cases(*arms: Term) -> Apply:
 infinity = Symbol("infinity", "∞", r"\infty", "∞")
 
 
-def _counting(count: Callable[..., int]) -> Callable[..., int]:
-    def value(env: Env, *numbers: int) -> int:
+def _counting(counted: Callable[..., int]) -> Callable[..., int]:
+    def value(env: Env, *numbers: Any) -> int:
+        if not all(isinstance(number, int) for number in numbers):
+            raise NotExactError("a count of what is no integer")
         if any(number < 0 for number in numbers):
             raise UndefinedError("a count of a negative number")
-        return count(*numbers)
+        return counted(*numbers)
 
     return value
 
@@ -153,30 +139,40 @@ def _counting(count: Callable[..., int]) -> Callable[..., int]:
 factorial = define("factorial", "{0}!", "{0}!", ATOM, (ATOM,), _counting(math.factorial))
 
 
-def _sum(env: Env, index: Term, low: Term, high: Term, body: Term) -> Any:
-    total: Any = 0
-    if high != infinity and not isinstance(env.value(high), int):
-        raise NotExactError("a sum of n terms")
-    if high == infinity and not env.field.ordered:
-        raise NotExactError("an infinite sum")
-    last = TERMS_MAX if high == infinity else env.value(high)
-    for k in range(env.value(low), last + 1):
-        part = env.bound(index, k).value(body)
-        total = part if k == env.value(low) else values.add(total, part)
-        if high == infinity and k > 2 and all(map(env.field.negligible, values.coefficients(part))):
-            break
-    else:
-        if high == infinity:
-            raise BlurredError
-    return total
+TERMS_MAX, NEGLIGIBLE = 400, 12
+"""Terms of an infinite sum, after which it is not known to converge, and negligible ones in a row that end it."""
 
 
-TERMS_MAX = 160
-"""Terms of an infinite sum, after which it is not known to converge."""
+def _over_index(combined: Callable[[Any, Any], Any], empty: int) -> Callable[..., Any]:
+    """Return the value of a sum or product; an infinite one ends where its terms have become negligible."""
+
+    def value(env: Env, index: Term, low: Term, high: Term, body: Term) -> Any:
+        first, last = (None if end == infinity else env.value(end) for end in (low, high))
+        if not (isinstance(first, int) and isinstance(last, int | None)):
+            raise NotExactError("a sum of n terms")
+        if last is None and not env.field.ordered:
+            raise NotExactError("an infinite sum")
+        terms = (env.bound(index, k).value(body) for k in count(first))
+        if last is not None:
+            return reduce(combined, list(islice(terms, max(0, last + 1 - first))) or [empty])
+        total, small = next(terms), 0
+        for term in islice(terms, TERMS_MAX):
+            total = combined(total, term)
+            small = small + 1 if all(map(env.field.negligible, values.coefficients(term))) else 0
+            if small == NEGLIGIBLE:
+                return total
+        raise BlurredError
+
+    return value
 
 
-summation = define("sum", r"\sum_{{{0}={1}}}^{{{2}}} {3}", "{0}={1}{2}{3}", PRODUCT, (LIST, LIST, LIST, PRODUCT),
-                   _sum, lazy=True)
+def _with_index(name: str, symbol: str, value: Callable[..., Any]) -> OperatorRow:
+    latex = symbol + "_{{{0}={1}}}^{{{2}}} {3}"
+    return define(name, latex, "{0}={1}{2}{3}", PRODUCT, (LIST, LIST, LIST, PRODUCT), value, lazy=True)
+
+
+summation = _with_index("sum", r"\sum", _over_index(values.add, 0))
+product = _with_index("product", r"\prod", _over_index(values.multiply, 1))
 
 
 binomial = define("binomial", r"\binom{{{0}}}{{{1}}}", "{0} {1}", ATOM, (LIST, LIST), _counting(math.comb))
