@@ -22,13 +22,13 @@ ORDER = {
         "codegen", "pages", "front", "cli", "__main__",
     ),
     "derive.claims": (
-        "numbers", "language", "equation", "result", "deciding", "decide", "transcript", "sheet", "run", "report",
+        "numbers", "language", "extracted", "equation", "result", "deciding", "decide", "transcript", "sheet", "run",
+        "report",
     ),
     "derive.claims.deciding": (
         "claim", "constrained", "singular", "zeros", "proof", "polar", "identity", "equal_sides", "uphill", "places",
         "conditions", "existence", "ordering", "regions", "changes", "counterexample", "finding",
     ),
-    "derive.papers.condurache_popa_2023": ("cp23_notation", "definitions", "sections"),
     "derive.codegen": (
         "programs", "lowering", "rows", "signatures", "validation", "package", "targets", "catalogue",
         "build",

@@ -19,7 +19,7 @@ from .deciding.proof import proved
 from .equation import Entry, Reading, UndecidedError, require_complete
 from .language.operator_table import both, implies
 from .language.printed import Term
-from .result import Counterexample, Result, Status, Verdict
+from .result import Counterexample, Result, Status, Verdict, undecided
 
 
 def decide(
@@ -32,6 +32,8 @@ def decide(
     terms and constraints, which may take long. Raise UndecidedError if an entry in Python is incomplete, or the
     computation contradicts its condition, correction or domain.
     """
+    if entry.undecided:
+        return undecided(paper, entry, entry.undecided)
     require_complete(entry, lost + entry.lost)
     if entry.because is not None:
         _support(entry, entry.because, orders)

@@ -180,5 +180,11 @@ class Result(Typeset):
         return body
 
 
+def undecided(paper: str, entry: Entry, reason: str) -> Result:
+    """Return the result of an entry without a decision, for a reason in words."""
+    verdict = Verdict(entry.readings[0].statement, "", False, reason)
+    return Result(paper, entry, Status.UNDECIDED, reason, (verdict,))
+
+
 def _latex(statement: Term | None) -> str | None:
     return None if statement is None else latex(statement)

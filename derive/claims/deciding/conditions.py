@@ -11,7 +11,7 @@ from ...algebra.matrix import Matrix
 from ..language.environment import Env
 from ..language.matrices import at_least, at_most, greater, unlike
 from ..language.operations import written
-from ..language.operator_table import Re, cos, det, nonzero, norm, over, remark, sin, trace
+from ..language.operator_table import Re, cos, det, nonzero, norm, over, sin, trace
 from ..language.printed import Number, Term, Trait, symbols
 from ..numbers.balls import BlurredError, precision
 from ..numbers.fields import innermost
@@ -169,9 +169,7 @@ def is_sharp(condition: Term, statement: Term) -> bool:
 
 
 def _parts(condition: Term) -> Iterator[Term]:
-    if condition.operator is remark:
-        yield from _parts(condition.arguments[0])
-    elif Trait.JOINS in condition.operator.traits and not condition.operator.lazy:
+    if Trait.JOINS in condition.operator.traits and not condition.operator.lazy:
         for part in condition.arguments:
             yield from _parts(part)
     else:

@@ -13,7 +13,7 @@ from typing import Any
 
 from . import operator_table
 from .calculus import substituted
-from .printed import ATOM, LIST, Apply, Number, Symbol, Term, Trait, macro, takes_apart, walk
+from .printed import ATOM, LIST, Apply, Number, Symbol, Term, Trait, macro, takes_apart, walk, with_trait
 
 Kind = str | tuple[int, int]
 VECTOR, TWIST, TENSOR, POSE = (3, 1), (6, 1), (3, 3), (4, 4)
@@ -226,14 +226,14 @@ CALLS: dict[str, tuple[Kind, ...]] = {}
 def call(abbreviation: Abbreviation, arguments: Sequence[Term], kinds: tuple[Kind, ...]) -> Term:
     """Return the term of a call: one operator for each list of kinds, since the meaning follows from them."""
     printed = abbreviation.latex if "#" in abbreviation.latex else ""
-    relation = abbreviation.known[kinds][1] == "truth"
-    name = f"{CALL}{'; '.join(map(str, kinds))}{' relation' * relation}{printed}"
+    delicate = bool(with_trait(Trait.DELICATE, abbreviation.known[kinds][0]))
+    name = f"{CALL}{'; '.join(map(str, kinds))}{' delicate' * delicate}{printed}"
     if name not in CALLS:
         places = ", ".join(f"{{{i}}}" for i in range(1, len(kinds) + 1))
         shown = (rf"{{0}}\left({places}\right)", f"{{0}}({places})") if kinds else ("{0}", "{0}")
         if printed:
             shown = macro(printed, 1), shown[1]
-        traits = Trait.DELICATE if relation else Trait.NONE
+        traits = Trait.DELICATE if delicate else Trait.NONE
         operator_table.define(name, *shown, ATOM, (LIST,), _called, traits=traits)
         CALLS[name] = kinds
     return Apply(name, abbreviation.symbol(kinds), *arguments)

@@ -9,6 +9,7 @@ from typing import Any
 
 from ...algebra import Quaternion, Structure, Tensor, Vector, first_principles, matrix
 from ...algebra.element import NotExactError
+from ...algebra.first_principles import quaternion_exponential
 from ..numbers.series import Series
 from . import values
 from .calculus import coefficient
@@ -32,7 +33,7 @@ def _power(env: Env, base: Term, exponent: Term) -> Any:
         return reduce(matrix.product, [factor] * abs(e), matrix.identity(len(value.rows)))
     if (env.field.ordered or isinstance(e, Series)) and not isinstance(e, int | Fraction | Structure):
         return env.field.exp(env.field.log(value) * e)
-    return (lambda a: env.field.power(value(a), e)) if callable(value) else env.field.power(value, e)
+    return env.field.power(value, e)
 
 
 def _limit_of_power(env: Env, base: Any, e: Series) -> Any:
@@ -67,14 +68,15 @@ def _polynomial(which: int) -> Callable[[Env, Any, Any], Any]:
     return lambda env, n, x: env.field.pair(n, x)[which]
 
 
-def _tangent(rotation: Callable[[Vector], Tensor], v: Vector) -> Tensor:
-    return first_principles.tangent(lambda w: rotation(matrix.exactly(w)), v)
+def _tangent(displacement: Callable[[Vector], Quaternion], v: Vector) -> Tensor:
+    return first_principles.tangent(lambda w: displacement(matrix.exactly(w)), v)
 
 
 p = define("p", r"p_{{{0}}}\left({1}\right)", "p({0}, {1})", ATOM, (LIST, LIST), _polynomial(0))
 q = define("q", r"q_{{{0}}}\left({1}\right)", "q({0}, {1})", ATOM, (LIST, LIST), _polynomial(1))
 cay = define("cay", r"\operatorname{{cay}}_{{{0}}}\left({1}\right)", "cay({0}, {1})", ATOM, (LIST, LIST), _cayley)
 dcay = define("dcay", r"\operatorname{{dcay}}_{{{0}}}\left({1}\right)", "dcay({0}, {1})", ATOM, (LIST, LIST),
-              lambda env, n, v: _tangent(lambda w: _cayley(env, n, w), v))
+              lambda env, n, v: _tangent(lambda w: env.field.power(Quaternion(1, w), n), v))
 dexp = define("dexp", r"\operatorname{{dexp}}\left({0}\right)", "dexp({0})", ATOM, (LIST,),
-              lambda env, v: _tangent(lambda w: exp.value(env, Tensor.skew(w)), v), traits=Trait.TRANSCENDENTAL)
+              lambda env, v: _tangent(lambda w: quaternion_exponential(w / 2, env.field), v),
+              traits=Trait.TRANSCENDENTAL)

@@ -57,7 +57,8 @@ def test_example_of_an_operation_has_a_value_and_is_its_own_text(name: str) -> N
 @pytest.mark.parametrize(
     "text",
     ["-a**2 == -(a*a)", "a - (b - c) == a - b + c", "a/(b*c) == a/b/c", "(a + b)**2 == a**2 + 2*a*b + b**2",
-     "not (a == b) or a == b", "(-a)**2 == a**2", "0.25 == 1/4", "1 <= 2 <= 2", "R*v != 2*v", "a == a == a"],
+     "not (a == b) or a == b", "(-a)**2 == a**2", "0.25 == 1/4", "1 <= 2 <= 2", "R*v != 2*v", "a == a == a",
+     "cases(-x, x < 0, x) == norm(x)"],
 )  # fmt: skip
 def test_text_of_a_term_reads_as_the_term(text: str) -> None:
     claim = statement(text, SCOPE)
@@ -77,7 +78,7 @@ IDENTITIES = (
     "sum(k, 0, n, binomial(n, k)*x**k) == (1 + x)**n", "p(3, x) == 1 - 3*x", "cosh(x)**2 == 1 + sinh(x)**2",
     "acos(cos(b)) == b", "asin(sin(b)) == b", "floor(7/2) == 3", "atan2(sin(b), cos(b)) == b",
     "stack(v, w) == block([[v], [w]])", "entry(A, 2, 3) == entry(transpose(A), 3, 2)",
-    "G(2*v) == I + 4*norm(v)*skew(v)",
+    "G(2*v) == I + 4*norm(v)*skew(v)", "cases(-x, x < 0, x) == norm(x)", "cases(-x, x < 0, x, 0 <= x) == norm(x)",
     "sinc(x)*x == sin(x)", "log(q) == log(-(-q))", "dexp(v)*v == v", "matrix([[a, b], [c, x]])*matrix([[x], [y]]) == "
     "matrix([[a*x + b*y], [c*x + x*y]])", "left_jacobian(exp(xi), xi)*xi == xi", "x**b == exp(b*log(x))",
     "product(k, 1, n, 2*k) == 2**n*factorial(n)",
@@ -149,6 +150,7 @@ REFUSED = (
     ("entry(v, 4) == 1", 10, "from 1 to 3"), ("matrix([[1], [2, 3]]) == I", 1, "different lengths"),
     ("'a' == x", 1, "'a'"), ("v < w", 5, "an inequality takes numbers"), ("not v", 5, "a relation is expected"),
     ("R == q", 6, "compared with a quaternion"), ("R + v == R", 1, "has no meaning"), ("v/R == v", 1, "write inverse"),
+    ("cases(x, x) == 1", 1, "values with relations"), ("cases(x, x > 0, v) == 1", 1, "of one kind"),
     ("sum(k, 0, x, k) == 1", 11, "takes an integer"), ("jacobian(v, 2*v) == I", 13, "varies a letter"),
     ("jacobian(T, T) == I", 13, "not a pose"), ("series(u, u, 1) == u", 11, "not a real unit vector"),
     ("v**2 == 1", 1, "write norm(v)**2"), ("f == v", 1, "unknown letter 'f'"), ("f[9] == v", 3, "from 0 to 6"),
@@ -156,7 +158,7 @@ REFUSED = (
     ("infinity + 1 == x", 1, "no meaning"),
     ("product(k, 1, infinity, k) == 1", 15, "takes an integer"), ("at(q, q, 0) == q", 10, "got 0"),
     ("limit(M, v, 0) == M", 1, "here it is a number"),
-("L == 1", 1, "uses itself"), ("G(v, w) == I", 1, "takes 1"),
+    ("L == 1", 1, "uses itself"), ("G(v, w) == I", 1, "takes 1"),
     ("block([[A], [v]]) == A", 1, "3, 1 columns"), ("identity(99) == I", 1, "from 1 to 12"), ("", 1, "nothing"),
     ("x == 1e99", 6, "up to 1e20"), ("(" * 60 + "x" + ")" * 60 + " == x == -" + "-" * 60 + "x", None, "brackets"),
     ("(" * 41 + "x" + ")" * 41 + " == x", 41, "brackets"), ("series(x, x, -1) == 1", 14, "from 0 to 64"),
@@ -179,7 +181,7 @@ def test_every_kind_of_letter_has_values(kind: str) -> None:
     symbol, shape = letter("a", kind)
     row = KINDS.get(symbol.quantity.name)
     if row is None:
-        assert kind.endswith(("order", "sign"))
+        assert kind.endswith(("order", "branch", "sign"))
         return
     built = row.build([Fraction(j + 2, 3) for j in range(row.size)])
     assert {"quaternion": isinstance(built, Quaternion), "number": not hasattr(built, "map"),
