@@ -122,15 +122,6 @@ def test_every_function_compiles_alone(chart, scalar, tmp_path, headers):
     assert compile_alone(headers, chart, tmp_path, COMPILERS[0], "c++11", scalar) == ""
 
 
-@pytest.mark.thorough
-def test_every_function_of_every_chart_compiles_alone(tmp_path):
-    """Compile each chart in one way, since all charts share the geometry, and in each way some chart."""
-    files.write(tmp_path / "all", print_package(committed(), C, tested=False).texts)
-    ways = itertools.cycle(itertools.product(("Jet<6>", "double", "float"), STANDARDS))
-    for chart, compiler, (scalar, standard) in zip(committed(), itertools.cycle(COMPILERS), ways):
-        assert compile_alone(tmp_path / "all", chart, tmp_path, compiler, standard, scalar) == "", chart.name
-
-
 @pytest.mark.parametrize(
     ("scalar", "old", "new"),
     [
