@@ -1,4 +1,4 @@
-"""Control of the kernel tests: after a flipped sign in a program of order 3, some law fails; one sign of three is tried."""
+"""Control of the kernel tests: some law fails after a flipped sign in a program of order 3; one of three is tried."""
 
 from __future__ import annotations
 

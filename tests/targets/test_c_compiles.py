@@ -41,32 +41,7 @@ def includes(orders: Sequence[int]) -> str:
 
 
 INCLUDE_ALL = includes(ORDERS)
-
-ROOTS = """#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-#define DUALCAY_FREESTANDING
-#define DUALCAY_REAL TYPE
-#include "dualcay.h"
-int main(void)
-{
-    for (long i = 0; i < 400000; ++i) {
-        double drawn;
-        unsigned long long bits = ((unsigned long long)rand() << 42) ^ ((unsigned long long)rand() << 21) ^ rand();
-        bits &= i % 4 ? 0x7fffffffffffffffULL : 0x000fffffffffffffULL;
-        memcpy(&drawn, &bits, sizeof drawn);
-        const TYPE x = (TYPE)(sizeof(TYPE) == 4 ? drawn * 1e-5 : drawn), near = sqrtSUFFIX(x);
-        if (x < INFINITY && !(fabsSUFFIX(dualcay_sqrt(x) - near) <= nextafterSUFFIX(near, INFINITY) - near)) {
-            printf("wrong at %La\\n", (long double)x);
-        }
-    }
-    const TYPE low = dualcay_sqrt(-1), none = dualcay_sqrt((TYPE)NAN);
-    printf("%g %g %d %d\\n", (double)dualcay_sqrt(0), (double)dualcay_sqrt((TYPE)INFINITY), low != low, none != none);
-    return 0;
-}
-"""
-
+ROOTS = Path(__file__).parent / "roots.c"
 
 @pytest.fixture(scope="module")
 def package(folder) -> Path:
@@ -147,9 +122,20 @@ def test_maps_without_angles_build_without_any_library(package, tmp_path):
 @pytest.mark.parametrize(("real", "suffix"), [("float", "f"), ("double", ""), ("long double", "l")])
 def test_roots_without_a_library_are_off_by_a_unit_at_most(package, tmp_path, real, suffix):
     """Compare at random bit patterns, subnormal ones too, and at zero, infinity, NaN and a negative number."""
-    source = written(tmp_path, "roots.c", ROOTS.replace("TYPE", real).replace("SUFFIX", suffix))
+    source = written(tmp_path, "roots.c", ROOTS.read_text("utf-8").replace("TYPE", real).replace("SUFFIX", suffix))
     run(tool("gcc"), "-std=c99", "-O2", f"-I{package}", source, "-o", tmp_path / "roots", "-lm")
     assert run(tmp_path / "roots") == "0 inf 1 1\n"
+
+
+def test_device_qualifiers_stand_before_every_function(package, tmp_path):
+    """Preprocess for CUDA; expect host and device qualifiers on every function, and no loop pragma."""
+    source = written(tmp_path, "device.cpp", INCLUDE_ALL)
+    keywords = ("-D__CUDACC__", "-D__host__=HOST", "-D__device__=DEVICE", "-D__forceinline__=inline")
+    text = run(tool("g++"), "-E", "-P", *keywords, f"-I{package}", source)
+    functions = re.findall(r"^(.*) (?:void|int) (dualcay_\w+)\(", text, re.MULTILINE)
+    assert len(functions) > 160
+    assert {qualifiers for qualifiers, _ in functions} == {"static inline HOST DEVICE"}
+    assert "GCC ivdep" not in text
 
 
 # each order in one real type with one compiler; orders 3 and 8 as vector code with fused multiply-add
