@@ -34,7 +34,14 @@ def folder(shared: Callable[[str, Callable[[Path], object]], Path]) -> Path:
     return shared("kernels_of_other_orders", lambda place: packages.write(OTHER_ORDERS, "numpy", place))
 
 
-@pytest.mark.parametrize(("order", "regime", "table"), CASES)
+QUICK = (2, WHOLE, *OTHER_ORDERS)
+"""Orders of normal runs."""
+
+
+@pytest.mark.parametrize(
+    ("order", "regime", "table"),
+    [pytest.param(*case, marks=() if case[0] in QUICK else pytest.mark.thorough) for case in CASES],
+)
 def test_every_function_agrees_with_the_oracle(folder: Path, order: int, regime: str, table: str) -> None:
     """Functions with slow exact values have one vector, others three, with another largest component each."""
     trials = [Trial(load(order, folder, table), order, regime, count=count) for count in (1, 3)]
