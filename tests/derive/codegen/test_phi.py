@@ -242,7 +242,8 @@ def test_selection_between_equal_values_is_removed() -> None:
 # --- irrational constants ---------------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("phi", ["pi*alpha/4", pytest.param("alpha*(pi + alpha**2)/4", marks=pytest.mark.thorough)])
+@pytest.mark.thorough
+@pytest.mark.parametrize("phi", ["pi*alpha/4", "alpha*(pi + alpha**2)/4"])
 def test_kernels_are_validated_and_hold_in_single_precision(tmp_path: Path, phi: str) -> None:
     """Require small integers in the split of π: powers of a long integer overflow float32 and spoil v = 0."""
     chart = parameterization(phi, "mine")
