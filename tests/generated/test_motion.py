@@ -16,7 +16,7 @@ from scipy.linalg import expm
 
 import dualcay
 from dualcay import Motion, MotionError, cayley2, exponential, propagate
-from tests.support import examples, motions
+from tests.support import motions
 
 NAMES = ("cayley1", "cayley2", "cayley3", "cayley5", "exponential")
 FRAMES, METHODS = ("space", "body"), ("lie", "chart")
@@ -272,10 +272,6 @@ def test_scipy_is_imported_by_propagate_alone_and_missed_by_name() -> None:
     )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert done.stdout.strip() == 'dualcay.propagate needs SciPy: pip install "scipy>=1.16"'
-
-
-def test_examples_in_docstrings_run() -> None:
-    assert examples.of_docstrings([propagate]) == ""
 
 
 def test_a_chart_singular_at_half_a_turn_is_followed_past_it() -> None:

@@ -36,7 +36,8 @@ pytestmark = pytest.mark.thorough
 ORDER = 3
 KINDS = {(row.arguments, row.result): name for name, row in SIGNATURES.items() if not name.startswith("dcay")}
 """Sample of functions, one for each kind of arguments and result: a loop over columns takes seconds to compile."""
-REGIMES = [r for r in sampling.REGIMES if r != "identity"]
+REGIMES = ("uniform", "shadow", "pure translation", "below pi", "coordinate axes")
+"""Regimes on both sides of each selection: test_sign_flips.py shows that an error in any operation is seen in them."""
 
 
 @pytest.fixture
@@ -48,7 +49,7 @@ def inside(package):
 @pytest.mark.parametrize("name", FUNCTIONS)
 def test_gates_of_the_oracle_hold(compiled, name):
     for regime in REGIMES:
-        Trial(compiled(ORDER), ORDER, regime).check(name)
+        Trial(compiled(ORDER), ORDER, regime, count=1).check(name)
 
 
 @pytest.mark.parametrize("name", KINDS.values())
@@ -105,7 +106,7 @@ def test_out_is_written_and_may_overlap(compiled):
         module.pose(v, out=np.empty((4, 4)))
 
 
-@pytest.mark.parametrize("name", KINDS.values())
+@pytest.mark.parametrize("name", list(KINDS.values())[::3])
 def test_axes_of_length_1_may_have_any_stride(compiled, name):
     for shape in BATCHES:
         values = inputs(load(ORDER), name, ORDER, shape)
