@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import inspect
 import re
 import sys
 from collections.abc import Mapping
@@ -13,6 +14,7 @@ import pytest
 from derive.codegen.validation import compiled
 from tests.support import compilers
 from tests.support.imports import ROOT, imported, nodes, sources
+from tests.support.libraries import Late
 
 pytestmark = pytest.mark.smoke
 
@@ -134,6 +136,15 @@ def test_no_templates_import_or_compute():
         text = path.read_text(encoding="utf-8")
         assert "namespace(" not in text
         assert "{% set" not in text, f"{path} computes"
+
+
+def test_pytest_imports_no_late_module():
+    """JAX takes seconds in each process that collects tests; pytest unwraps every object of a file."""
+    late = Late("no_such_module")
+    assert inspect.unwrap(late) is late
+    assert getattr(late, "_mock_name", None) is None
+    with pytest.raises(ModuleNotFoundError):
+        late.numpy()
 
 
 # --- clocks -----------------------------------------------------------------------------------------------------------

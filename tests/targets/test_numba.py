@@ -14,13 +14,13 @@ from types import ModuleType
 
 import numpy as np
 import pytest
-from numba import jit, njit
 
 from derive.codegen.signatures import KERNELS, geometry
-from derive.codegen.targets import numba
+from derive.codegen.targets import numba as printer
 from tests.support import sampling
 from tests.support.kernels import load
 from tests.support.layouts import BATCHES, require_strides_of_one_ignored
+from tests.support.libraries import numba
 from tests.support.signatures import (
     SIGNATURES,
     assert_nearly_equal,
@@ -154,8 +154,8 @@ def test_singular_points_are_ieee_results_without_a_warning(compiled):
 
 def test_no_loop_stores_more_than_is_vectorised():
     for name, program in geometry().items():
-        loops = numba.loops(KERNELS[name], program)
-        assert all(rows.count("out[") <= numba.MOST_OUTPUTS for rows in loops.rows)
+        loops = printer.loops(KERNELS[name], program)
+        assert all(rows.count("out[") <= printer.MOST_OUTPUTS for rows in loops.rows)
         assert all("".join(loops.rows).count(f"out[{i}, i]") == 1 for i in range(len(program.outputs)))
         assert all(loops.alone.count(f"out[{i}]") == 1 for i in range(len(program.outputs)))
 
@@ -165,7 +165,7 @@ def test_loops_without_trigonometry_are_vectorised(compiled, name, monkeypatch):
     module = compiled(ORDER)
     kernel = module.CHART.kernels[name]
     # loops from the disk cache have no LLVM text, so they are compiled again
-    loops = [jit(**loop.targetoptions)(loop.py_func) for loop in kernel.loops]
+    loops = [numba.jit(**loop.targetoptions)(loop.py_func) for loop in kernel.loops]
     monkeypatch.setattr(kernel, "loops", loops)
     getattr(module, name)(*(components_first(a, 1) for a in inputs(load(ORDER), name, ORDER, (9,))), axis=0)
     for loop in loops:
@@ -213,7 +213,7 @@ def test_compiled_loops_are_kept_on_disk_for_each_chart_and_its_scalars(imported
 def test_compiled_user_code_may_call_cores(compiled):
     core = compiled(ORDER).CHART.kernels["quaternion"].kernel.core
 
-    @njit
+    @numba.njit
     def scalar_parts(rows):
         return [core((v[0], v[1], v[2], v[3], v[4], v[5]))[0] for v in rows]
 
@@ -248,7 +248,7 @@ def test_kernels_are_callable_from_compiled_code(compiled, inside):
     """Call functions of the space and the body frame, which share a kernel with different constants."""
     rate, twist = inside(compiled(ORDER).rate), inside(compiled(ORDER).body_twist)
 
-    @njit
+    @numba.njit
     def both(v, omega, v_dot, back):
         for i in range(len(v)):
             rate(v[i], omega[i], v_dot[i])
