@@ -114,14 +114,10 @@ def compile_alone(headers: Path, chart: Chart, tmp_path: Path, compiler: str, st
 
 @pytest.mark.parametrize(
     ("chart", "scalar"),
-    [
-        (OTHERS[1], "Jet<6>"),
-        *(
-            pytest.param(chart, scalar, marks=pytest.mark.thorough)
-            for chart, scalar in ((Cayley(3), "Mixed"), (OTHERS[0], "Lazy"), (OTHERS[1], "Jet<3, Jet<2> >"))
-        ),
-    ],
-)
+    [(OTHERS[1], "Jet<6>"), *(pytest.param(*one, marks=pytest.mark.thorough) for one in (
+        (Cayley(3), "Mixed"), (OTHERS[0], "Lazy"), (OTHERS[1], "Jet<3, Jet<2> >"),
+    ))],
+)  # fmt: skip
 def test_every_function_compiles_alone(chart, scalar, tmp_path, headers):
     assert compile_alone(headers, chart, tmp_path, COMPILERS[0], "c++11", scalar) == ""
 
@@ -287,7 +283,6 @@ def test_rational_functions_are_their_formulas_in_prime_fields(compiler, headers
     assert differing(program, asked) == set()
     most = max(degree(chart, table, row) for chart in CHARTS for table, row in rational(chart))
     bound = (most / min(PRIMES)) ** (POINTS * len(PRIMES))
-    print(f"{compiler}: {len(asked)} calls agree; a wrong function passes with probability below {bound:.0e}")
     assert bound < 1e-60
 
 
