@@ -170,8 +170,8 @@ def test_unknown_rooms_are_refused() -> None:
 a, b = Symbol("a", "dual number"), Symbol("b", "dual number")
 u, v = Symbol("u", "dual vector"), Symbol("v", "dual vector")
 SQUARE = equal((a + b) ** 2, a**2 + 2 * (a * b) + b**2)
-EVERY = 97
-"""Stride of the sample: every 97th mutant of the papers is evaluated here; `make mutants` draws from all mutants."""
+EVERY = 291
+"""Stride of the sample: every 291st mutant of the papers is evaluated here; `make mutants` draws from all mutants."""
 
 
 def entry(statement: Term = SQUARE, **rest: object) -> Entry:
@@ -244,5 +244,5 @@ def test_most_mutants_of_the_papers_are_refuted() -> None:
             tried += [trial for _, trial in trials(one, statement)]
     found = [trial().kind for trial in tried[::EVERY]]
     killed = found.count(KILLED)
-    assert killed > 50
+    assert killed > 15
     assert killed >= 0.9 * (killed + found.count(SURVIVED))
