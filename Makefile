@@ -80,8 +80,9 @@ test-native: $(TESTED)  ## kernel tests on compiled functions of all committed c
 quick: $(TESTED)  ## lint, types, stale kernels and one smoke test per room, in half a minute
 	$(MAKE) --no-print-directory --jobs=3 types smoke check-kernels lint
 
+# In one process, since types and stale kernels take the other processors meanwhile.
 smoke: $(TESTED)
-	$(PYTEST) -m smoke
+	$(RUN) -m pytest -m smoke
 
 lint: $(TESTED)  ## ruff
 	$(RUN) -m ruff check .

@@ -15,7 +15,7 @@ its screw.
 
 import argparse
 from collections.abc import Sequence
-from itertools import accumulate
+from itertools import accumulate, pairwise
 
 import numpy as np
 
@@ -30,6 +30,7 @@ HOME = chart.from_pose([[-1, 0, 0, L1 + L2], [0, 0, 1, W1 + W2], [0, 1, 0, H1 - 
 CORNERS = [(0, [0, 0, 0]), (1, [0, 0, H1]), (1, [0, W1, H1]), (2, [L1, W1, H1]), (3, [L1 + L2, W1, H1]),
            (4, [L1 + L2, W1, H1 - H2]), (6, [L1 + L2, W1 + W2, H1 - H2])]  # link and point, to draw  # fmt: skip
 TURN = np.array([0, 0, 1.5, 0, 0, 0.2])  # of the tool in space: 1.5 rad about z, 0.2 m up
+BOOK = np.array([[0, -1, 0, 0.095], [1, 0, 0, 0.109], [0, 0, 1, 0.988], [0, 0, 0, 1]])  # to a millimetre
 TOLERANCE = 1e-12  # rad and m: some hundred roundings of poses of size 1
 
 
@@ -94,11 +95,13 @@ def main(argv: Sequence[str] | None = None) -> None:
     parser.add_argument("--figure", help="file for the picture")
     options, rng = parser.parse_args(argv), np.random.default_rng(0)
     upright = chart.pose(tool(np.array([0, -1, 0, 0, 1, 0]) * np.pi / 2))
-    print("tool at joint angles (0, −90, 0, 0, 90, 0)°:", *upright[:3, 3].round(3), "m; in the book 0.095 0.109 0.988")
+    print("tool at joint angles (0, −90, 0, 0, 90, 0)°:", *upright[:3, 3].round(3), "m; in the book", *BOOK[:3, 3])
+    assert np.abs(upright - BOOK).max() < 5.001e-4
     joints, errors = path(np.array([0.2, -1.2, 1.5, -0.5, 0.8, 0.3]), options.poses)
     print(f"path of {options.poses} poses: {np.mean([len(e) - 1 for e in errors]):.1f} iterations each")
     histories = {"inverse kinematics": inverse_kinematics(chart.retract(tool(joints[0]), TURN / 2), joints[0])[1]}
     print("half of the path in one go, errors:", *(f"{e:.0e}" for e in histories["inverse kinematics"]))
+    assert all(after < 100 * before**2 + TOLERANCE for before, after in pairwise(histories["inverse kinematics"]))
     truth, hands = chart.random(rng=rng, max_angle=2.0), tool(rng.uniform(-2, 2, (options.poses + 1, 6)))
     A = chart.compose(hands[1:], chart.inverse(hands[:-1]))
     B = chart.compose(chart.inverse(truth), chart.compose(A, truth))
@@ -107,6 +110,8 @@ def main(argv: Sequence[str] | None = None) -> None:
         error, deviation = np.abs(chart.local(X, truth)), sigma * np.sqrt(np.diag(np.linalg.inv(slope.T @ slope)))
         histories[f"hand–eye, {label}"] = steps
         print(f"hand–eye, {label}: {len(steps)} iterations, error {max(error):.0e}, deviation {max(deviation):.0e}")
+        assert np.all(error < 4 * deviation + TOLERANCE)
+        assert len(steps) <= 8
     if options.figure:
         from matplotlib.figure import Figure
 

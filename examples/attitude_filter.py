@@ -103,6 +103,7 @@ def main(argv: Sequence[str] | None = None) -> None:
     for name, (_, error, _, nees) in found.items():
         mean, angle = nees[SETTLED:].mean(axis=1), np.degrees(np.linalg.norm(error[SETTLED:, :, :3], axis=-1))
         print(f"{name:22} {mean.mean():11.2f} {np.mean((low < mean) & (mean < high)):22.0%} {angle.mean():16.4f} deg")
+        assert low < mean.mean() < high if name == "J P Jᵀ" else mean.mean() > 2 * high
     if options.figure:
         from matplotlib.figure import Figure
 

@@ -106,6 +106,10 @@ def main(argv: Sequence[str] | None = None) -> None:
         error, drift = found[name, h] = np.linalg.norm(states[-1].pose[:3, 3] - Q @ ARM), energy / energy[0] - 1
         print(f"{name:11} {1e3 * h:7} {error:10.2e} {np.linalg.norm(states[-1].reaction - reaction):15.2e}", end="")
         print(f" {np.ptp(drift):14.1e} {count:11.2f} {plain:18.2f}")
+        assert h > 1e-3 or count < plain - 0.5  # with cotangent Jacobians Newton's matrix is the whole derivative
+        assert max(np.abs(s.pose[:3, :3] @ ARM - s.pose[:3, 3]).max() for s in states) < 1e-15 * len(states) + 1e-14
+    for name in CHARTS:  # of order 2; the next term is smaller by (Ω h)², at most 2 % here
+        assert abs(found[name, STEPS[-2]][0] / found[name, STEPS[-1]][0] - 4) < 0.1
     if options.figure:
         from matplotlib.figure import Figure
 

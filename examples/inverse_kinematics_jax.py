@@ -91,6 +91,8 @@ def main(argv: Sequence[str] | None = None) -> None:
     with tempfile.TemporaryDirectory() as folder:
         chart, start = kernels(folder), time.perf_counter()
         solve = compiled(chart, options.mode, len(starts))
+    slope = MODES[options.mode](lambda joints: chart.local(tool(chart, joints), arm.tool(JOINTS)))(JOINTS)
+    assert np.abs(slope - arm.jacobian(JOINTS)).max() < 1e-13  # products of six matrices of size 1
     print(f"{options.mode} mode compiled in {time.perf_counter() - start:.1f} s")
     start = time.perf_counter()
     joints, errors = map(np.asarray, solve(np.repeat(goals, options.starts, 0), starts))
@@ -101,6 +103,8 @@ def main(argv: Sequence[str] | None = None) -> None:
     check = np.abs(arm.chart.local(arm.tool(joints), np.repeat(goals, options.starts, 0))[found]).max()
     print(f"reached: {found.mean():.1%} of starts, {reached.any(1).mean():.1%} of targets")
     print(f"median of iterations {np.median(counts):.0f}, largest error by NumPy kernels {check:.0e} (rad, m)")
+    assert check < 2 * arm.TOLERANCE
+    assert reached[0].any()
     shown = postures(joints[: options.starts][reached[0]])
     print(f"first target: {len(shown)} postures")
     if options.figure:

@@ -89,7 +89,9 @@ def main(argv: Sequence[str] | None = None) -> None:
     known = np.sqrt(np.diagonal(of_position(motion.v, motion.covariance), axis1=-2, axis2=-1))
     consistent = nees(motion.v[1:], motion.covariance[1:], runs)
     chaser = path(t)[6:].T + (chart.adjoint(chart.inverse(motion.v)) @ TURNING)
-    print(f"propagate differs from the controller's own integration by {np.abs(motion.v - path(t)[:6].T).max():.1e}")
+    apart = np.abs(motion.v - path(t)[:6].T).max()
+    print(f"propagate differs from the controller's own integration by {apart:.1e}")
+    assert apart < 1e-8
     print(f"largest angular velocity of the chaser: {np.linalg.norm(chaser[:, :3], axis=-1).max():.3f} rad/s")
     print("time    angle       distance    deviations of position: propagate      random runs         NEES")
     for k in range(STEPS // 6, STEPS + 1, STEPS // 6):
@@ -97,6 +99,10 @@ def main(argv: Sequence[str] | None = None) -> None:
         print(f"{t[k]:3.0f} s {angle:8.2f} deg {distance:8.3f} m", end="   ")
         print(*(np.array2string(x, precision=4, floatmode="fixed") for x in (known[k], drawn[k - 1])), end="")
         print(f"{consistent[k - 1]:8.2f}")
+    # the slower root of s² + 0.2 s + 0.01 is −0.1 1/s: (1 + 9) e⁻⁹ of the start, and small terms beyond the first order
+    assert np.linalg.norm(motion.v[-1]) < 2 * 10 * np.exp(-9) * np.linalg.norm(START)
+    # the mean of χ² of 6 over independent runs, within four deviations and 2 % for the second order
+    assert np.all(np.abs(consistent - 6) < 4 * np.sqrt(12 / options.runs) + 0.12)
     if options.figure:
         from matplotlib.figure import Figure
 

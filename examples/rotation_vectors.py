@@ -62,6 +62,9 @@ def main(argv: Sequence[str] | None = None) -> None:
     continuous, branch = unwrap(exponential, recorded, branch=True)
     jumps = np.count_nonzero(np.linalg.norm(np.diff(recorded[:, :3], axis=0), axis=-1) > np.pi)
     print(f"{len(times)} poses, {jumps} jumps; branches after unwrap: {', '.join(map(str, np.unique(branch)))}")
+    assert jumps
+    assert np.linalg.norm(np.diff(continuous[:, :3], axis=0), axis=-1).max() < 3 / options.rate
+    assert np.abs(exponential.pose(continuous) - exponential.pose(recorded)).max() < 1e-13
     t = np.linspace(0, DURATION, 4001)
     truth = gripper(t)
     found = {
@@ -74,6 +77,8 @@ def main(argv: Sequence[str] | None = None) -> None:
     for name, v in found.items():
         angles[name], distance = errors(v, truth)
         print(f"{name:21} {angles[name].max():10.2f} deg {distance.max():7.2f} mm")
+        # of second order in the time between poses; through a whole turn where a record jumps
+        assert angles[name].max() > 90 if name == "numbers as recorded" else angles[name].max() < 9.5 / options.rate**2
     if options.figure:
         picture(options.figure, times, recorded, continuous, t, angles)
 

@@ -84,12 +84,18 @@ def main(argv: Sequence[str] | None = None) -> None:
     moved = points(options.count, options.chunk, options.seed)
     with ProgressBar():
         mean, covariance = moments(moved)
+    few = points(5000, 700, options.seed)
+    at_once = few.compute().mean(axis=0), np.cov(few.compute().T, bias=True)
+    assert all(np.allclose(a, b, rtol=0, atol=1e-12) for a, b in zip(moments(few), at_once, strict=True))
     center = cayley2.transform_point(POSE, POINT)
     print(f"{options.count} poses in chunks of {options.chunk}; the poses alone hold {48e-6 * options.count:.0f} MB")
     print(f"mean of the point   {mean.round(4)} m, at the mean pose {center.round(4)} m")
     ellipses = {"Monte Carlo": (mean, covariance), "first order": (center, first_order())}
     for name, (_, found) in ellipses.items():
         print(f"deviations, {name} {np.sqrt(np.diag(found)).round(5)} m")
+    sizes = np.sqrt(np.diag(covariance))
+    # 2.4 per cent of a deviation are left out; an estimated variance has the deviation √(2/count) of itself
+    assert np.all(np.abs(covariance - first_order()) < (0.05 + 4 * np.sqrt(2 / options.count)) * np.outer(sizes, sizes))
     print(f"peak of memory      {resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024:.0f} MB")
     if options.figure:
         picture(options.figure, moved[:3000].compute(), ellipses)

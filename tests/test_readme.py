@@ -18,7 +18,7 @@ from derive.about import __version__
 from derive.codegen.targets import TARGETS
 from derive.papers import PAPERS
 from derive.proof.identity import ALL_ORDERS
-from derive.proof.phi_theorems import SCOPE
+from derive.proof.phi_premises import SCOPE
 from docs.pages.field_facts import COLLECTIONS
 from tests.support import pages
 

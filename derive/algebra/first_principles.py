@@ -14,34 +14,32 @@ from .pose import is_zero
 
 
 def tensor_exponential(a: Vector, library: Any = functions) -> Tensor:
-    """Return exp(skew(a)), a rotation by |a| about a; `library` provides ``sin``, ``cos``, ``sqrt``.
-
-    For Re a = 0 the series in ``a · a`` terminate, also if its parts are dual numbers in turn.
-    """
-    square, skew = a.dot(a), Tensor.skew(a)
-    if _is_nilpotent(square):
-        sinc, rest = 1 - square / 6 + square * square / 120, (1 - square / 12 + square * square / 360) / 2
-    else:
-        angle = library.sqrt(square)
-        sinc, rest = library.sin(angle) / angle, (1 - library.cos(angle)) / square
-    R: Tensor = Tensor.identity() + skew * sinc
-    R += skew @ skew * rest
+    """Return exp(skew(a)), a rotation by |a| about a; `library` provides ``sin``, ``cos``, ``sqrt``."""
+    _, sinc, versine = _circular(a.dot(a), library)
+    skew = Tensor.skew(a)
+    R: Tensor = Tensor.identity() + skew * sinc + skew @ skew * versine
     return R
-
-
-def _is_nilpotent(square: Coefficient) -> bool:
-    while isinstance(square, Dual):
-        square = square.re
-    return is_zero(square)
 
 
 def quaternion_exponential(a: Vector, library: Any = functions) -> Quaternion:
     """Return exp(a) = cos|a| + sin|a| a/|a| of a pure quaternion; a rotation by 2|a| about a."""
-    square = a.dot(a)
-    if _is_nilpotent(square):
-        return Quaternion(1 - square / 2 + square * square / 24, a * (1 - square / 6 + square * square / 120))
-    angle = library.sqrt(square)
-    return Quaternion(library.cos(angle), a * (library.sin(angle) / angle))
+    cosine, sinc, _ = _circular(a.dot(a), library)
+    return Quaternion(cosine, a * sinc)
+
+
+def _circular(square: Any, library: Any) -> tuple[Any, Any, Any]:
+    """Return ``cos a``, ``sin a/a`` and ``(1 − cos a)/a²`` of the square of a.
+
+    At a = 0 their series end with the square of a², in dual numbers whose parts may have rates.
+    """
+    innermost = square
+    while isinstance(innermost, Dual):
+        innermost = innermost.re
+    if is_zero(innermost):
+        twice = square * square
+        return 1 - square / 2 + twice / 24, 1 - square / 6 + twice / 120, (1 - square / 12 + twice / 360) / 2
+    a = library.sqrt(square)
+    return library.cos(a), library.sin(a) / a, (1 - library.cos(a)) / square
 
 
 def tensor_by_sandwich(q: Quaternion) -> Tensor:
@@ -60,27 +58,16 @@ def body_twist(R: Tensor, R_dot: Tensor) -> Vector:
     return (R.transpose @ R_dot).vect()
 
 
-def tangent(tensor: Callable[[Vector], Tensor], v: Vector) -> Tensor:
-    """Return the operator that takes v̇ to the space twist of ``tensor(v)``, by differentiation along each axis."""
+def tangent(displacement: Callable[[Vector], Tensor | Quaternion], v: Vector) -> Tensor:
+    """Return the operator from v̇ to the space twist of a displacement, by differentiation along each axis.
+
+    The displacement is a tensor or a quaternion that need not be a unit.
+    """
     columns = []
     for axis in Tensor.identity().rows:
-        R = tensor(Vector(*(_moving(c, rate) for c, rate in zip(v, axis, strict=True))))
-        columns.append(_twist(R))
+        moved = displacement(Vector(*(_moving(c, rate) for c, rate in zip(v, axis, strict=True))))
+        columns.append(_twist(moved))
     return Tensor.from_entries(entry for column in columns for entry in column).transpose
-
-
-def axis_rates(tensor: Callable[[Coefficient, Vector], Tensor], alpha: Coefficient, u: Vector) -> Tensor:
-    """Return the operator from the space twist of ``tensor(α, u)`` to u̇; ZeroDivisionError if u̇ is not determined."""
-    across = (u.cross(Vector(*row)) for row in Tensor.identity().rows)
-    first = next(w for w in across if not is_zero(real_part(w.dot(w))))
-    motions = ((1, u * 0), (0, first), (0, u.cross(first)))
-    twists, rates = [], []
-    for alpha_dot, u_dot in motions:
-        R = tensor(_moving(alpha, alpha_dot), Vector(*(_moving(c, rate) for c, rate in zip(u, u_dot, strict=True))))
-        twists.append(_twist(R))
-        rates.append(u_dot)
-    of_twists, of_rates = (Tensor.from_entries(c for row in rows for c in row).transpose for rows in (twists, rates))
-    return of_rates @ of_twists.inverse()
 
 
 def _moving(c: Coefficient, rate: Coefficient) -> Dual:
@@ -95,5 +82,10 @@ def _part(c: Any, part: Callable[[Any], Any]) -> Any:
     return Dual(part(c.re), part(c.du)) if isinstance(c, Dual) and isinstance(c.re, Dual) else part(c)
 
 
-def _twist(R: Tensor) -> Vector:
-    return twist(R.map(lambda c: _part(c, real_part)), R.map(lambda c: _part(c, dual_part)))
+def _twist(moved: Tensor | Quaternion) -> Vector:
+    now: Any = moved.map(lambda c: _part(c, real_part))
+    rate: Any = moved.map(lambda c: _part(c, dual_part))
+    if isinstance(moved, Tensor):
+        return twist(now, rate)
+    found: Vector = (rate * now.conjugate()).vector * 2 / now.norm2()
+    return found

@@ -14,12 +14,10 @@ from .deciding.claim import ORDERS, Claim
 from .deciding.conditions import is_sharp
 from .deciding.counterexample import outside_words, shown_at
 from .deciding.finding import Finding, decided
-from .deciding.python_entries import decided as decided_in_python
-from .deciding.python_entries import supported
 from .equation import Entry, Reading, UndecidedError, require_complete
 from .language.operator_table import both, implies
 from .language.printed import Term
-from .result import Counterexample, Result, Status, Verdict
+from .result import Counterexample, Result, Status, Verdict, undecided
 
 
 def decide(
@@ -32,6 +30,8 @@ def decide(
     search for changes, terms and constraints, which may take long. Raise UndecidedError if the entry of a transcript is
     incomplete, or the computation contradicts its condition, correction or domain.
     """
+    if entry.undecided:
+        return undecided(paper, entry, entry.undecided)
     require_complete(entry, lost + entry.lost)
     meant = entry.meant
     if meant.because is not None:
@@ -75,8 +75,8 @@ def _result(paper: str, entry: Entry, claims: Sequence[Claim], findings: Sequenc
 
 
 def _settled(claim: Claim, early: Callable[[Finding], None]) -> Finding:
-    """Return the decision of a claim; an entry in Python that cannot be decided is a mistake of ours."""
-    finding = decided(claim, early, decided_in_python if claim.entry.in_python else None)
+    """Return the decision of a claim; a transcript that cannot be decided is a mistake of ours."""
+    finding = decided(claim, early)
     if finding.status is Status.UNDECIDED and claim.entry.is_transcribed:
         raise UndecidedError(f"({claim.entry.number}): {finding.method}")
     return finding
@@ -105,7 +105,7 @@ def _corrected(found: Result, claim: Claim, finding: Finding) -> Result:
     if entry.corrected is None:
         raise UndecidedError(f"({entry.number}) is false and has no correction: {finding.method}")
     claim = _premised(claim.with_statement(entry.corrected))
-    correction = decided(claim, in_python=decided_in_python if entry.in_python else None)
+    correction = decided(claim)
     if correction.holds:
         method = f"{finding.method}; correction {correction.method}"
         return replace(found, status=Status.ERRATUM, method=method, found=correction.found)
@@ -116,7 +116,7 @@ def _corrected(found: Result, claim: Claim, finding: Finding) -> Result:
 
 def _premised(claim: Claim) -> Claim:
     """Return the claim with the premise of an implication as part of the stated domain."""
-    while claim.statement.operator is implies and not claim.entry.in_python:
+    while claim.statement.operator is implies:
         premise, statement = claim.statement.arguments
         claimed = premise if claim.entry.claimed is None else both(claim.entry.claimed, premise)
         claim = replace(claim, entry=replace(claim.entry, claimed=claimed), statement=statement)
@@ -126,10 +126,6 @@ def _premised(claim: Claim) -> Claim:
 def _support(entry: Entry, identity: Term, orders: Sequence[int]) -> None:
     """Raise unless the supporting identity is proved; points where it is undefined are ignored."""
     claim = Claim(replace(entry, condition=None, claimed=None, also={}, written=identity), identity, orders)
-    if entry.in_python:
-        if wrong := supported(claim):
-            raise UndecidedError(f"({entry.number}): the supporting identity is not proved: {wrong}")
-        return
     finding = decided(claim)  # its condition is found
     if finding.status not in (Status.HOLDS, Status.HOLDS_IF):
         raise UndecidedError(f"({entry.number}): the supporting identity is not proved: {finding.method}")

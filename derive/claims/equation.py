@@ -16,15 +16,15 @@ An entry in Python that fits none of these raises `UndecidedError`. The conditio
 
 from __future__ import annotations
 
-import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any, TypeAlias
 
 from ..algebra.latex import Typeset
+from .extracted import faithful
 from .language.environment import Definition
 from .language.names import Abbreviation, contracted, expanded
-from .language.printed import Symbol, Term, as_usual, latex, rate_depth, symbols, text, walk
+from .language.printed import Symbol, Term, as_usual, latex, rate_depth, symbols, walk
 
 
 class UndecidedError(Exception):
@@ -69,6 +69,7 @@ class Entry(Typeset):
     branches: int | None = None  # number of values of a branch symbol; n by default
     components: bool = False  # whether single components occur; then no frame is chosen along the vectors
     lost: str = ""  # further characters lost by the extraction in this display
+    undecided: str = ""  # why the claim is in words that no formula states; then it is not decided
     fixed_by: str = ""  # legible passage that decides between the readings
     said: str = ""  # words of the paper, for a claim without a display
     remark: str = ""  # one sentence for the report
@@ -84,11 +85,6 @@ class Entry(Typeset):
     def is_transcribed(self) -> bool:
         """Whether the entry follows a text, with its condition stated; else the condition is found."""
         return self.written is None
-
-    @property
-    def in_python(self) -> bool:
-        """Whether its definitions are functions in Python."""
-        return self.source.endswith(".py")
 
     @property
     def meant(self) -> Entry:
@@ -142,37 +138,6 @@ def equation(number: str, printed: Term | tuple[Reading, ...], **rest: Any) -> E
     return Entry(number, printed if isinstance(printed, tuple) else (Reading(printed),), **rest)
 
 
-class Latex(str):
-    """Extract that is LaTeX."""
-
-
-_LATEX = (
-    (r"\\text\{[^{}]*\}", ""),  # words, which are not the paper's
-    (r"\\mathbf\{\\hat\{r\}\}|\^\{\\mathbf\{r\}\}|\\vec\b", ""),  # arrows; the first two are extracted as letters
-    (r"\\(stackrel|overset)\{\\mathbf\{\w\}\}\{(\w)\}", r"\2"),
-    (r"\\(begin|end)\{\w+\}|\\(left|right|frac|quad|mathbf|mathrm|operatorname|\W)|[$&\s]", ""),
-    (r"\\sum", "Σ"), (r"\\cdot", "·"), (r"\\(sin|cos|tan)", r"\1"), ("Sin", "sin"), ("Cos", "cos"), ("Tan", "tan"),
-)  # fmt: skip
-
-
-def characters(formula: str) -> str:
-    """Return the characters of a LaTeX formula in order, without layout commands and arrows."""
-    for pattern, character in _LATEX:
-        formula = re.sub(pattern, character, formula)
-    return formula
-
-
-def faithful(reading: Term, extract: str, lost: str) -> bool:
-    """Return whether a reading has the same characters as the extract, in order, apart from lost ones and spaces.
-
-    A tilde may precede or follow the index of its symbol.
-    """
-    drop = str.maketrans("", "", lost + " ")
-    lines = map(characters, (latex(reading), extract)) if isinstance(extract, Latex) else (text(reading), extract)
-    left, right = (re.sub(r"~(\d+)", r"\1~", line.translate(drop)) for line in lines)
-    return left == right
-
-
 def require_complete(entry: Entry, lost: str) -> None:
     """Raise if an entry in Python lacks a part that another part needs, or does not agree with the extracted text."""
     if not entry.is_transcribed:
@@ -204,8 +169,8 @@ class Paper:
     reasons: Mapping[str, str] = field(default_factory=dict)  # lines that claim nothing, by reason
     doi: str = ""
 
-    def entries(self) -> tuple[Entry, ...]:
-        """Return all entries in the paper's order."""
+    def entries(self, numbers: Collection[str] | None = None) -> tuple[Entry, ...]:
+        """Return the entries in the paper's order: all, or those of some numbers."""
         raise NotImplementedError
 
     def inventory(self) -> dict[int, tuple[str, ...] | str]:

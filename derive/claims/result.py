@@ -125,7 +125,7 @@ class Result(Typeset):
     @property
     def anchor(self) -> str:
         """Permanent anchor of the entry in the report pages."""
-        return f"{self.paper}-{self.equation.number}"
+        return re.sub(r"[^\w.-]+", "-", f"{self.paper}-{self.equation.number}")
 
     def as_json(self) -> dict[str, Any]:
         """Return the fields printed by ``--format json``."""
@@ -178,6 +178,12 @@ class Result(Typeset):
         if self.corrected is not None:  # on a line of its own
             body = rf"\begin{{gathered}} {body} \\ \longrightarrow\quad {self.corrected} \end{{gathered}}"
         return body
+
+
+def undecided(paper: str, entry: Entry, reason: str) -> Result:
+    """Return the result of an entry without a decision, for a reason in words."""
+    verdict = Verdict(entry.readings[0].statement, "", False, reason)
+    return Result(paper, entry, Status.UNDECIDED, reason, (verdict,))
 
 
 def _latex(statement: Term | None) -> str | None:

@@ -20,8 +20,8 @@ from typing import Any
 
 from ..output.shown import Listing, bar, no_op
 from ..workers import cores, limit, stopped
-from .equation import Entry, UndecidedError
-from .result import Result, Status, Verdict
+from .equation import UndecidedError
+from .result import Result, undecided
 from .sheet import Sheet, claim_alone
 
 SECONDS = 60.0
@@ -157,11 +157,6 @@ class _Worker:
                 reason = f"not decided within {seconds:g} s of processor time" if late else "its process died"
                 return undecided(slug, entry, reason)
         return Result(slug, entry, **own)
-
-
-def undecided(slug: str, entry: Entry, reason: str) -> Result:
-    verdict = Verdict(entry.readings[0].statement, "", False, reason)
-    return Result(slug, entry, Status.UNDECIDED, reason, (verdict,))
 
 
 def serve() -> None:

@@ -7,15 +7,17 @@ from __future__ import annotations
 
 import re
 import tomllib
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
 from typing import Any
 
 from .equation import Entry, Home, Paper, Reading
-from .language.claims import statement, tree
-from .language.letters import LITERALS, letter
+from .language.claims import statement
+from .language.expressions import tree
+from .language.letters import LITERALS
+from .language.letters import letters as declared
 from .language.names import Abbreviation, ClaimError, Scope, expanded
 from .language.operations import CONSTANTS, OPERATIONS
 from .language.printed import Symbol, Term
@@ -25,9 +27,10 @@ BYTES_MAX = 2_000_000
 """Largest size of a file."""
 EQUATIONS_MAX = 2000
 TABLES = ("paper", "letters", "definitions", "latex", "claims", "reasons", "equation", "field")
-PAPER_KEYS = ("slug", "short", "title", "source", "conditions", "lost", "sections")
+PAPER_KEYS = ("slug", "short", "title", "source", "doi", "conditions", "lost", "sections")
 KEYS = ("number", "title", "at", "latex", "claim", "domain", "corrected", "remark")
-STATED_KEYS = (*KEYS, "line", "reading", "condition", "because", "stated", "said", "fixed_by", "lost")
+STATED_KEYS = (*KEYS, "line", "reading", "condition", "because", "stated", "said", "fixed_by", "lost", "extract",
+               "undecided")
 """Keys of an equation, and those of a transcript, which states conditions."""
 HEAD = re.compile(r"([A-Za-z]\w*)\s*(?:\(\s*([A-Za-z]\w*(?:\s*,\s*[A-Za-z]\w*)*)\s*\))?", re.ASCII)
 
@@ -59,10 +62,11 @@ Content = tuple[tuple["Entry", ...], tuple[Problem, ...]]
 
 @dataclass(frozen=True)
 class Sheet(Paper):
-    """Paper read from a file; its equations are read on first use."""
+    """Paper read from a file; its equations are read on first use, and those of some numbers alone."""
 
     stated: bool = False  # whether it is a transcript, whose conditions are stated
-    read: Callable[[], Content] = field(default=lambda: ((), ()), repr=False, compare=False)
+    read: Callable[[Collection[str] | None], Content] = field(default=lambda n: ((), ()), repr=False, compare=False)
+    numbers: tuple[str, ...] = field(default=(), repr=False)  # of all its equations, in order
     request: tuple[Any, ...] = field(default=(), repr=False)  # arguments that make the sheet again in another process
 
     @staticmethod
@@ -71,14 +75,14 @@ class Sheet(Paper):
 
     @cached_property
     def _content(self) -> Content:
-        return self.read()
+        return self.read(None)
 
     @property
     def problems(self) -> tuple[Problem, ...]:
         return self._content[1]
 
-    def entries(self) -> tuple[Entry, ...]:
-        return self._content[0]
+    def entries(self, numbers: Collection[str] | None = None) -> tuple[Entry, ...]:
+        return self._content[0] if numbers is None else self.read(numbers)[0]
 
 
 def load(path: str | Path) -> Sheet:
@@ -89,7 +93,7 @@ def load(path: str | Path) -> Sheet:
     if len(content) > BYTES_MAX:
         raise SheetError(f"{name}: a file has at most {BYTES_MAX} bytes")
     try:
-        text = content.decode("utf-8")
+        text = content.decode("utf-8-sig")
     except UnicodeDecodeError as error:
         wrong = f"the byte {content[error.start]:#x} at {error.start}"
         raise SheetError(f"{name}: expected UTF-8 text, got {wrong}") from None
@@ -124,27 +128,28 @@ def sheet(text: str, name: str, home: Home | None = None) -> Sheet:
         raise SheetError(f"{name}: expected the number of a line, got {wrong!r}")
     stated = about.get("conditions") == "stated"
 
-    def read() -> Content:
+    def read(numbers: Collection[str] | None) -> Content:
         reader = _Reader(name)
         scope = reader.scope(letters, definitions, shown)
         printed = {OPERATIONS[call].operator: text for call, text in shown.items() if call in OPERATIONS}
         transcript = Transcript(name, scope, printed, tuple(map(int, sections))) if stated else None
-        found = [reader.entry(number, row, scope, transcript) for number, row in enumerate(equations, 1)]
+        rows = [(i, row) for i, row in enumerate(equations, 1) if numbers is None or str(row.get("number")) in numbers]
+        found = [reader.entry(i, row, scope, transcript) for i, row in rows]
         return tuple(replace(entry, home=home) for entry in found if entry is not None), tuple(reader.problems)
 
     citation = ". ".join(part for part in (about.get("title", ""), about.get("source", "")) if part)
     return Sheet(
         slug, about.get("short", slug), citation, about.get("lost", ""),
-        {int(line): numbers for line, numbers in claims.items()}, reasons,
-        stated=stated, read=read, request=(text, name),
+        {int(line): numbers for line, numbers in claims.items()}, reasons, about.get("doi", ""),
+        stated=stated, read=read, numbers=tuple(str(row.get("number", "")) for row in equations), request=(text, name),
     )  # fmt: skip
 
 
 def claim_alone(claim: str, letters: Mapping[str, str], domain: str = "") -> Sheet:
     """Return a single claim as a sheet; raise ClaimError."""
-    scope = Scope({name: letter(name, kind) for name, kind in letters.items()})
+    scope = Scope({a: symbol for name, kind in letters.items() for a, symbol in declared(name, kind).items()})
     entry = _entry({"number": "", "claim": claim, **({"domain": domain} if domain else {})}, scope, "")
-    return Sheet("", "claim", read=lambda: ((entry,), ()), request=(claim, dict(letters), domain))
+    return Sheet("", "claim", read=lambda numbers: ((entry,), ()), request=(claim, dict(letters), domain))
 
 
 def _strings(data: Mapping[str, Any], table: str, name: str) -> dict[str, str]:
@@ -175,8 +180,8 @@ class _Reader:
         known = {}
         for name, kind in letters.items():
             try:
-                symbol, of = letter(name, kind)
-                known[name] = Symbol(*map(str, (*symbol.args[:2], shown.get(name, symbol.args[2]), name))), of
+                for a, (symbol, of) in declared(name, kind).items():
+                    known[a] = Symbol(*map(str, (*symbol.args[:2], shown.get(a, symbol.args[2]), a))), of
             except ClaimError as error:
                 self.problem(f"letter {name}", error.message)
         found: dict[str, Abbreviation] = {}
@@ -201,8 +206,8 @@ class _Reader:
                 raise ClaimError("this number is given twice")
             self.numbers.add(label)
             _check(row, STATED_KEYS if transcript else KEYS)
-            if "claim" not in row and not row.get("reading"):
-                raise ClaimError("an equation has a claim, such as claim = \"a == b\"")
+            if bool("claim" in row or row.get("reading")) is ("undecided" in row):
+                raise ClaimError("an equation has a claim, such as claim = \"a == b\"; or it is undecided")
             row = {**row, "number": label}
             return transcript.entry(row) if transcript else _entry(row, scope, self.file)
         except ClaimError as error:

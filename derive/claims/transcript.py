@@ -6,21 +6,25 @@ entries, so that a statement stands as printed. Each condition is tested on both
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
 from .deciding.proof import COMPONENTWISE
 from .deciding.terms import operators
-from .equation import Entry, Latex, Reading
+from .equation import Entry, Reading
+from .extracted import Latex
 from .language.claims import statement
 from .language.environment import Definition, Env, let
 from .language.matrices import unlike
 from .language.names import CALL, CALLS, ClaimError, Scope
-from .language.operator_table import nonzero
+from .language.operator_table import equal, nonzero, words
 from .language.printed import Apply, Number, Symbol, Term, Trait, shown_as, symbols, walk, with_trait
+from .numbers.kinds import ORDER
 
 READING_KEYS = ("claim", "note", "supported_by")
+WORDS = ("title", "stated", "lost", "undecided", "fixed_by", "said", "remark")
+"""Keys that stand in the entry unchanged."""
 
 
 @dataclass(frozen=True)
@@ -34,10 +38,13 @@ class Transcript:
 
     def entry(self, row: Mapping[str, Any]) -> Entry:
         """Return the entry of an equation whose keys were checked; raise ClaimError."""
-        rows = row.get("reading") or [{"claim": row["claim"]}]
+        rows = row.get("reading") or ([{"claim": row["claim"]}] if "claim" in row else [])
         readings = tuple(
             Reading(self._read(r, "claim"), r.get("note", ""), r.get("supported_by", "")) for r in rows
         )  # fmt: skip
+        if "undecided" in row:
+            title = row.get("title", row["number"])
+            readings = (Reading(words(rf"\text{{{title}}}", title)),)
         domain, condition, corrected, because = (
             self._read(row, key) if key in row else None for key in ("domain", "condition", "corrected", "because")
         )
@@ -48,12 +55,12 @@ class Transcript:
         heads = {name.split()[0] for name in operators(*inside) if name}
         line = row.get("line", 0)
         return Entry(
-            row["number"], readings, line=line, extract=Latex(row.get("latex", "")),
+            row["number"], readings, line=line, extract=row.get("extract") or Latex(row.get("latex", "")),
             where=tuple(definition for definition, _ in definitions), claimed=domain, condition=_sharp(condition),
-            corrected=corrected, because=because, moving=bool(with_trait(Trait.RATE, *inside)),
+            corrected=corrected, because=because, orders=_orders(domain), moving=bool(with_trait(Trait.RATE, *inside)),
             components=bool(heads & COMPONENTWISE), source=self.source, at=self._section(line),
             abbreviations=self.scope.abbreviations,
-            **{key: row[key] for key in ("title", "stated", "lost", "fixed_by", "said", "remark") if key in row},
+            **{key: row[key] for key in WORDS if key in row},
         )  # fmt: skip
 
     def _read(self, row: Mapping[str, str], key: str) -> Term:
@@ -74,13 +81,29 @@ class Transcript:
             yield from self._definitions([body])
 
 
-def _definition(symbol: Symbol, parameters: Sequence[Symbol], body: Term) -> Definition:
-    def value(env: Env, *_: Any) -> Any:
-        if not parameters:
-            return env.value(body)
-        return lambda *values: replace(env, values={**env.values, **dict(zip(parameters, values))}).value(body)
+@dataclass(frozen=True)
+class _Meaning:
+    """Meaning of a name: the value of a term, or a function of its parameters."""
 
-    return let(symbol, value, *(a for a in symbols(body) if a.quantity.varies))
+    parameters: tuple[Symbol, ...]
+    body: Term
+
+    def __call__(self, env: Env) -> Any:
+        def called(*values: Any) -> Any:
+            return replace(env, values={**env.values, **dict(zip(self.parameters, values))}).value(self.body)
+
+        return called if self.parameters else env.value(self.body)
+
+
+def _definition(symbol: Symbol, parameters: tuple[Symbol, ...], body: Term) -> Definition:
+    return let(symbol, _Meaning(parameters, body), *(a for a in symbols(body) if a.quantity.varies))
+
+
+def _orders(domain: Term | None) -> tuple[int, ...] | None:
+    """Return the orders that a domain such as ``n == 2`` names, which are tried whichever are asked for."""
+    equations = [] if domain is None else [node.arguments for node in walk(domain) if node.operator is equal]
+    found = [b.value for a, b in equations if isinstance(a, Symbol) and a.quantity is ORDER and isinstance(b, Number)]
+    return tuple(found) or None
 
 
 def _sharp(condition: Term | None) -> Term | None:

@@ -11,7 +11,6 @@ from pathlib import Path
 import click
 
 from .. import about
-from ..claims.equation import Paper
 from ..claims.language.names import ClaimError
 from ..claims.report import FORMATS, Report, as_text, data
 from ..claims.result import Status
@@ -100,9 +99,9 @@ def _of_sheets(sheets: Sequence[Sheet], equations: list[str] | None, seconds: fl
     return Report.of(sheets, results, (), "", [problem for sheet in sheets for problem in sheet.problems])
 
 
-def _chosen(papers: Sequence[Paper], equations: str | None) -> list[str]:
+def _chosen(papers: Sequence[Sheet], equations: str | None) -> list[str]:
     """Return the requested equations without repetition, in the papers' order."""
-    known = dict.fromkeys(entry.number for paper in papers for entry in paper.entries())
+    known = dict.fromkeys(number for paper in papers for number in paper.numbers)
     if equations is None:
         return list(known)
     wanted = {part.strip() for part in equations.split(",")}
@@ -123,8 +122,8 @@ def _of_papers(slug: str | None, chosen: str | None, orders: tuple[int, ...], ou
 
     papers = [paper for paper in room.PAPERS if slug in (None, paper.slug)]
     equations = _chosen(papers, chosen)
-    total = sum(entry.number in equations for paper in papers for entry in paper.entries())
-    everything = sum(len(paper.entries()) for paper in papers)
+    total = sum(number in equations for paper in papers for number in paper.numbers)
+    everything = sum(len(paper.numbers) for paper in papers)
     cited = None
     if total < everything and not orders:  # theorems cite the numbers of the first paper
         cited = {int(number) for number in equations if number.isdecimal()} if room.PAPERS[0] in papers else set()

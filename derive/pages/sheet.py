@@ -20,7 +20,7 @@ from ..maps.polynomials import x
 from ..proof.identity import Equation, Proof
 from ..proof.methods import Theorem, decided
 from ..proof.notation import beta, latex, n, prime, r_k, text
-from ..proof.phi_theorems import phi, phi_1, phi_2, psi, psi_1, rho
+from ..proof.phi_premises import phi, phi_1, phi_2, psi, psi_1, rho
 from ..proof.proved import CLAIMS, proofs, require
 
 ORDERS = (1, 2, 3)

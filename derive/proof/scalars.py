@@ -30,7 +30,8 @@ from ..maps.polynomials import x
 from .evaluation import Evaluation
 from .identity import Checks, Equation, Proof, decide
 from .notation import Shifted, det, prime
-from .phi_theorems import PHI, SCALARS, T, any_phi, cosine, sine
+from .phi_premises import PHI, SCALARS, T, cosine, sine
+from .phi_theorems import any_phi
 from .rings import Ring
 
 METHOD = "residues in Q(x), with the root of 1 + x/k where formulas have it"

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from benchmarks import derivatives, forms, kernels, maps, peers
+from benchmarks import derivatives, forms, maps, peers
 from benchmarks.peers import Poses
 from dualcay import exponential
 from tests.support.kernels import load
@@ -67,40 +67,6 @@ def test_jax_derivatives_are_by_the_named_argument(monkeypatch: pytest.MonkeyPat
         np.testing.assert_allclose(np.asarray(calls["jitted"]()), expected[function], rtol=1e-14)
 
 
-@pytest.mark.thorough
-def test_printed_kernels_are_differentiated() -> None:
-    jax = pytest.importorskip("jax")
-    v, w = (a[0] for a in given("tangent_dot"))
-    _, found = derivatives.jax_calls(jax, ORDER, "tangent_dot", (v, w)).values()  # uncompiled
-    np.testing.assert_allclose(np.asarray(found()), load(ORDER).tangent_dot(v, w), **CLOSE)
-
-
-def test_benchmarks_respect_the_memory_limit(monkeypatch: pytest.MonkeyPatch) -> None:
-    rows = tuple(np.ascontiguousarray(a.T) for a in given("rate_jacobian"))
-    assert forms.lambdify_call(ORDER, "rate_jacobian", rows) is not None
-    monkeypatch.setattr(forms, "ROOM", 12 * rows[0][0].nbytes)
-    assert forms.lambdify_call(ORDER, "rate_jacobian", rows) is None
-    assert forms.lambdify_call(3, "compose_jacobians", rows) is None
-
-
-def test_rows_are_timed_with_one_result_and_with_two(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(kernels, "compiled", lambda *_: None)
-    for function, text in (("rate_dot", "rate_dot(v, w, z, axis=0, out=out)"), ("compose_jacobians", "(v, w, axis=0)")):
-        calls = kernels.row_calls(ORDER, function, 100)
-        assert [by for by, _, _ in calls] == [kernels.NUMPY, kernels.LAMBDIFY, kernels.COPY]
-        assert next(iter(calls))[2].endswith(text)
-        assert [call() is not None for call in calls.values()][:2] == [True, True]
-
-
-def test_derivatives_are_timed_beside_jax_and_complex_steps(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(derivatives, "jax_calls", lambda *_: {"jitted": int, "called": int})
-    monkeypatch.setattr(kernels, "load", lambda _: True)
-    for function in FUNCTIONS:
-        found = [by for by, _, _ in kernels.derivative_calls(ORDER, function, 1)]
-        stepped = [] if function == "compose_jacobians" else [kernels.STEPS]
-        assert found == [kernels.NUMPY, kernels.JITTED, kernels.CALLED, *stepped]
-
-
 @pytest.mark.parametrize("name", maps.FORMS[maps.NUMPY])
 def test_chart_vectors_and_library_arguments_are_the_same_poses(name: str) -> None:
     """Compare v and w. At 3 rad, the angle computed from sin(α/2) has an error of 14 roundings."""
@@ -144,17 +110,6 @@ def test_calls_of_libraries_compute_the_same_poses(library: str, size: int) -> N
             np.testing.assert_allclose(found.reshape(expected.shape), expected, rtol=0, atol=1e-9, err_msg=text)
 
 
-def test_missing_libraries_have_no_calls_and_loops_end(monkeypatch: pytest.MonkeyPatch) -> None:
-    poses = maps.drawn("exponential", 3)
-    looped = peers.Library("looped", lambda poses: {"e": poses.exponential, "twice": lambda e: 2 * e},
-                           {"pose": ("twice(e)",)}, peers.looped)  # fmt: skip
-    [call] = looped.calls("pose", poses, 3).values()
-    np.testing.assert_array_equal(call(), 2 * poses.exponential)
-    assert looped.calls("pose", poses, 2 * peers.LOOPED) == looped.calls("rate", poses, 3) == {}
-    monkeypatch.setitem(sys.modules, "jaxlie", None)
-    assert peers.LIBRARIES["jaxlie"].calls("pose", poses, 3) == {}
-
-
 QUICKLY = {"XLA_FLAGS": "--xla_backend_optimization_level=0"}
 """Options of XLA for quick compilation; tests do not need fast maps."""
 
@@ -174,10 +129,3 @@ def test_the_cpu_path_prints_a_row_for_every_map_and_size():
     for name in ("quaternion", "pose", "rate", "from_pose"):
         assert sum("JAX" in line and f" {name} " in line for line in done.stdout.splitlines()) == 2
     assert "cupy: runs on GPUs only" in done.stdout
-
-
-@pytest.mark.thorough
-def test_libraries_report_a_missing_gpu():
-    done = run("--device", "gpu", "--poses", "1e2", "-n", "1")
-    missing = [line for line in done.stdout.splitlines() if "sees no GPU" in line or "not installed" in line]
-    assert (len(missing) == 4 and done.returncode == 3) or "PyTorch" in done.stdout or "JAX" in done.stdout

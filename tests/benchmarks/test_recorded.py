@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import shutil
 from pathlib import Path
 
@@ -49,21 +48,6 @@ def test_drift_cancels_in_paired_ratios(monkeypatch: pytest.MonkeyPatch) -> None
     assert clock.speed > 1.2
 
 
-def test_process_stays_on_one_core_only_while_timed(monkeypatch: pytest.MonkeyPatch) -> None:
-    cores, during = {0, 2, 3}, []
-
-    def move(_: int, chosen: set[int]) -> None:
-        nonlocal cores
-        cores = chosen
-
-    monkeypatch.setattr(os, "sched_getaffinity", lambda _: cores, raising=False)
-    monkeypatch.setattr(os, "sched_setaffinity", move, raising=False)
-    timing.rounds([lambda: during.append(cores)], count=1, seconds=1e-6)
-    assert all(chosen == {3} for chosen in during)
-    assert during
-    assert cores == {0, 2, 3}
-
-
 def test_every_function_on_arrays_is_compared() -> None:
     module = load(2)
     left_out = {"dcay", "dcay_inv", "identity", "random", "singular_angles"}
@@ -87,8 +71,3 @@ def test_slower_kernels_miss_the_gates(tmp_path: Path, monkeypatch: pytest.Monke
     summary = {(line[1], line[2]): line[5:7] for line in lines if len(line) == 8 and line[6] in ("met", "SHORT")}
     assert summary["cayley2", "1"] == summary["cayley2", "64"] == ["quaternion", "SHORT"]
     assert set(summary) == {(chart, size) for chart in ("cayley2", "rotation.cayley2") for size in ("1", "64")}
-
-
-def test_folder_without_package_is_refused(tmp_path: Path) -> None:
-    with pytest.raises(FileNotFoundError, match="no package"):
-        recorded.load(tmp_path, "dualcay_other", "cayley2")

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from pathlib import Path
 
 import mpmath
@@ -10,14 +9,11 @@ import numpy as np
 import pytest
 
 from benchmarks import conditioning, figures
-from benchmarks.accuracy import curves
-from benchmarks.accuracy.figures import X_AXES
-from tests.support import sampling
+from tests.support import motions, sampling
 
 pytest.importorskip("matplotlib")
 
 from benchmarks import compiling, motion, propagate, timing
-from tests.support import motions
 
 
 def test_section_on_propagate_has_a_row_for_each_case() -> None:
@@ -56,12 +52,6 @@ def test_section_on_motion_has_a_row_for_each_equation(tmp_path: Path, monkeypat
     assert all(text.count(f"\n| {name} | {equation.states} |") == 1 for name, equation in motion.EQUATIONS.items())
 
 
-def test_work_is_interpolated_within_the_measured_errors() -> None:
-    found = [motion.Run(1000, 2.0, 1e-4), motion.Run(4000, 8.0, 1e-8)]
-    assert motion.work(found, 1e-6) == ("2000", "4.0")
-    assert motion.work(found, 1e-9) == motion.work(found, 1e-3) == ("–", "–")
-
-
 # --- pictures ---------------------------------------------------------------------------------------------------------
 
 LARGEST = 200_000
@@ -74,25 +64,6 @@ def test_the_committed_pictures_are_small():
     measured = {f"{name}.svg" for name in ("accuracy", "charts", "motion", "motion_equations", "screw")}
     assert {file.name for file in files} == measured | drawn
     assert all(file.stat().st_size < LARGEST for file in files)
-
-
-def test_panels_are_curves_that_are_computed():
-    assert {name for name, _ in figures.PANELS.values()} <= X_AXES.keys() & curves.ANGLES.keys()
-
-
-def test_circles_and_lines_are_where_charts_are_singular():
-    axes, = figures.charts().axes
-    circles = [line.get_xydata()[0] for line in axes.get_lines() if line.get_marker() == "o" and len(line.get_xydata())]
-    at_full_turn = [size for angle, size in circles if angle == pytest.approx(2 * math.pi)]
-    # 6 tan(π/3), 8 tan(π/4), 2π, 4 sin(π/2), 8 sin(π/4): cayley2 has none, and cayley1 ends before
-    assert at_full_turn == pytest.approx([6 * 3**0.5, 8, 2 * math.pi, 4, 4 * 2**0.5], rel=1e-4)
-    edges = [line.get_xdata()[0] for line in axes.get_lines() if line.get_linestyle() == ":" and len(line.get_xdata())]
-    assert edges == pytest.approx([k * math.pi for k in (1, 2, 3, 4)])
-
-
-def test_the_screw_begins_at_the_origin():
-    path = figures.screw().axes[0].get_lines()[0].get_data_3d()
-    assert [coordinate[0] for coordinate in path] == pytest.approx([0, 0, 0], abs=1e-12)
 
 
 @pytest.mark.parametrize(

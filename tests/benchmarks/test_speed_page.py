@@ -1,19 +1,17 @@
-"""Page of speeds: printed from its data, one time for one call, gates and faster libraries named, the rest folded."""
+"""Page of speeds: printed from its data, one time for one call, gates and faster libraries named."""
 
 from __future__ import annotations
 
 import os
-import re
 import subprocess
 import sys
 from collections.abc import Mapping
-from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
 from benchmarks import __main__ as command
-from benchmarks import gates, kernels, maps, native, page, plot, slower, tables, times, timing
+from benchmarks import gates, kernels, native, page, slower, tables, times, timing
 from benchmarks.maps import COMPILED, NUMPY, PART
 from benchmarks.peers import LIBRARIES
 from benchmarks.times import Data, Timed
@@ -51,34 +49,12 @@ def test_one_call_of_a_library_has_one_time() -> None:
         assert {(library, text) for text in (*of.texts.get("pose", ()), *of.texts.get("compose", ()))} <= called
 
 
-def test_first_screen_is_short_and_the_rest_is_folded() -> None:
-    found = page.sections(PAGE.read_text(encoding="utf-8"))
-    first = found.pop("")
-    assert first.count("\n| ") - 1 <= 10
-    assert plot.FILE.name in first
-    assert "**Slower than others in:**" in first
-    assert page.COMMAND in first
-    assert all(f"{name}={value}" in first for name, value in timing.ALLOCATOR.items())
-    assert list(found)[-1] == "gates"
-    for name, text in found.items():
-        assert text.count("<details>") == text.count("</details>"), name
-        assert not re.search(r"^\|", re.sub(r"<details>.+?</details>", "", text, flags=re.DOTALL), re.MULTILINE), name
-
-
 def test_everything_slower_has_a_reason() -> None:
     missed = [gate.why for gate in gates.every(times.read()) if not gate.met]
     assert {*missed, *(faster.why for faster in slower.every(times.read()))} <= slower.REASONS.keys()
 
 
 # --- data -------------------------------------------------------------------------------------------------------------
-
-
-def test_data_are_read_as_they_are_written(tmp_path: Path) -> None:
-    file = tmp_path / "times.json"
-    first = data(of("SciPy", "", 2.5), of(NUMPY, "cayley2", 1.0))
-    first.write(file)
-    assert times.read(file) == replace(first, times=list(first.times))
-    assert times.read(tmp_path / "none.json").times == []
 
 
 def test_times_of_missing_libraries_are_kept_with_their_commit() -> None:
@@ -110,13 +86,6 @@ def test_missed_gates_are_named_first() -> None:
     assert [*found.values()] == sorted(found.values())
 
 
-def test_inverse_maps_of_high_orders_have_no_gates() -> None:
-    for chart, gated in (("cayley2", [*gates.OF_ALGEBRAIC]), ("cayley3", [*gates.FORWARD])):
-        both = (("SciPy", ""), (NUMPY, chart))
-        each = [of(by, at, 1.0, function) for by, at in both for function in gates.OF_ALGEBRAIC]
-        assert {what.partition(",")[0] for what in decided(*each)} == {*gated}
-
-
 def test_parts_have_gates() -> None:
     by = {
         kernels.ON_ROWS: (NUMPY, kernels.LAMBDIFY, kernels.C_FORM, kernels.COPY),
@@ -129,12 +98,6 @@ def test_parts_have_gates() -> None:
     alone = decided(of(COMPILED, "cayley2", 1000.0), of("SciPy", "", 21e3))
     assert alone["pose, compiled, n = 2, N = 1: 1.2 µs"]
     assert alone["pose, compiled, n = 2, N = 10000: SciPy"]
-
-
-def test_gate_that_a_copy_misses_is_marked() -> None:
-    each = ((1.0, 2.0, 3.0), (1.0, 2.0, 1.5), (2.5, 2.0, 3.0))
-    said = [gates.Gate("a", ratio, least, "memory", largest).row()[-1] for ratio, least, largest in each]
-    assert said == ["SHORT: memory", "SHORT: memory; of a copy 1.5 x", "met"]
 
 
 def test_faster_calls_are_named_with_their_reason() -> None:
@@ -178,18 +141,6 @@ def test_command_writes_page_data_and_plot_and_keeps_other_sections(
     monkeypatch.setattr(sys, "argv", ["benchmarks", "-o", str(output), "--print"])
     command.main()
     assert output.read_text(encoding="utf-8") == whole
-
-
-def test_calls_are_timed_in_groups(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(timing, "SECONDS", 1e-6)
-    monkeypatch.setattr(native, "c_form", lambda order: None)
-    monkeypatch.setattr(maps, "LIBRARIES", {"SciPy": LIBRARIES["SciPy"]})
-    found = list(times.timed(PART, [("pose", size, maps.calls({NUMPY: "dualcay"}, "pose", size)) for size in (1, 3)]))
-    assert {timed.by for timed in found} >= {NUMPY, "SciPy", maps.COPY}
-    assert all(list(timed.ns) == [1, 3] and min(timed.ns.values()) > 0 for timed in found)
-    calls = native.calls("dualcay", 2, "pose", 3)
-    assert list(calls) == [(native.OURS, "cayley2", "cayley2.pose(v, out=out)")]
-    assert [timed.by for timed in native.threaded("dualcay", 1, rounds=1, repeats=1)] == ["threads: 1", "threads: 2"]
 
 
 # --- the allocator ----------------------------------------------------------------------------------------------------

@@ -240,15 +240,6 @@ def test_a_value_has_one_word_or_none() -> None:
             word(column, value)
 
 
-def test_modified_rodrigues_rate_of_schaub_and_junkins() -> None:
-    """Compare σ̇ = ¼ B(σ) ω with ω in the body frame with ``body_rate``."""
-    from dualcay.rotation import cayley2
-
-    x, omega = MRP @ MRP, STEP[:3]
-    rate = ((1 - x) * np.eye(3) + 2 * hat(MRP) + 2 * np.outer(MRP, MRP)) @ omega / 4
-    assert np.allclose(rate, cayley2.body_rate(MRP, omega), rtol=0, atol=1e-12)
-
-
 def test_quaternions_of_pytransform3d_multiply_in_the_other_order() -> None:
     a, b = rotations.quaternion_from_matrix(Q), rotations.quaternion_from_matrix(D[:3, :3])
     assert word("product", rotations.matrix_from_quaternion(rotations.concatenate_quaternions(a, b))) == "R(a) R(b)"

@@ -75,7 +75,7 @@ def test_links_lead_to_files(page: Path) -> None:
 def test_programs_print_what_the_page_shows(
     name: str, language: str, shared: Callable[[str, Callable[[Path], object]], Path], tmp_path: Path
 ) -> None:
-    kernels = shared("pages_c", lambda place: packages.write([2], "c", place))
+    kernels = shared("c_headers", packages.headers)
     (tmp_path / "dualcay").symlink_to(kernels)
     [program], [output] = pages.blocks(TEXTS[name], language), pages.blocks(TEXTS[name], "text")
     source = tmp_path / f"program.{language}"

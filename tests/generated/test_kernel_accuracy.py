@@ -21,7 +21,7 @@ from tests.support.trial import FUNCTIONS, Trial
 OTHER_ORDERS = (7, 11, 12) if "native" not in kernels.BACKENDS else ()
 """Orders that are not committed, and so have no compiled functions."""
 WHOLE = 3
-"""Order at which every function is tried in every regime. Others take some in turn, since geometry is one text."""
+"""Order at which every other function is tried in a regime. Others take fewer in turn, since geometry is one text."""
 SHARE = 6
 
 REACHED = [(n, regime) for n in (1, 2, 3, 8) for regime in sampling.REGIMES if sampling.has_regime(n, regime)]
@@ -34,11 +34,18 @@ def folder(shared: Callable[[str, Callable[[Path], object]], Path]) -> Path:
     return shared("kernels_of_other_orders", lambda place: packages.write(OTHER_ORDERS, "numpy", place))
 
 
-@pytest.mark.parametrize(("order", "regime", "table"), CASES)
+QUICK = (2, WHOLE, *OTHER_ORDERS)
+"""Orders of normal runs."""
+
+
+@pytest.mark.parametrize(
+    ("order", "regime", "table"),
+    [pytest.param(*case, marks=() if case[0] in QUICK else pytest.mark.thorough) for case in CASES],
+)
 def test_every_function_agrees_with_the_oracle(folder: Path, order: int, regime: str, table: str) -> None:
     """Functions with slow exact values have one vector, others three, with another largest component each."""
     trials = [Trial(load(order, folder, table), order, regime, count=count) for count in (1, 3)]
-    rows, share = list(trials[0].chart.table.public.values()), SHARE // (1 + 5 * (order == WHOLE))
+    rows, share = list(trials[0].chart.table.public.values()), SHARE // (1 + 2 * (order == WHOLE))
     for row in rows[CASES.index((order, regime, table)) % share :: share]:
         trials[row.source in FUNCTIONS].check(row.name)
 

@@ -7,11 +7,10 @@ from types import ModuleType
 
 import numpy as np
 import pytest
-from scipy.spatial.transform import Rotation
 
 from derive.about import FAMILIES
 from derive.codegen.signatures import POSES
-from dualcay import cayley3, exponential, orthographic, scaled2, wiener_milenkovic
+from dualcay import cayley3, exponential, orthographic
 from dualcay._interface import PoseKernels
 from dualcay._multiple import multiple
 from tests.support import families, sampling
@@ -23,12 +22,12 @@ def name(request: pytest.FixtureRequest) -> str:
 
 
 LEFT = (0.2, 0.1, 3e-2, 3e-3, 1e-4)  # distances from the edge, as shares of the edge angle
-EDGES = [(name, LEFT[(i + k) % 5]) for i, name in enumerate(FAMILIES) if name != "exponential" for k in (0, 2)]
+EDGES = [(name, LEFT[i % 5]) for i, name in enumerate(FAMILIES) if name != "exponential"]
 
 
 @pytest.mark.parametrize(("name", "left"), EDGES)
 def test_steps_next_to_an_edge_stay_within_gates(name: str, kernels: ModuleType, left: float):
-    """Test steps at two distances from the edge of each chart.
+    """Test steps at a distance from the edge of each chart.
 
     Next to an edge with φ′ = 0, x hardly determines the angle, and T is nearly singular. Next to a pole, the rounded
     angle hardly determines v: steps from this angle have errors of 0.2 eps over the share.
@@ -38,31 +37,6 @@ def test_steps_next_to_an_edge_stay_within_gates(name: str, kernels: ModuleType,
     v, delta = families.vectors(oracle, angle, angle, 2), steps * np.array([left] * 3 + [1] * 3)
     for function in families.STEPS:
         families.require(kernels, oracle, function, [v, delta])
-
-
-def test_pure_translations_move_by_v_over_phi_prime(name: str, kernels: ModuleType):
-    """Expect a translation by v°/φ′(0) at Re v = 0."""
-    v = np.array([0.0, 0.0, 0.0, 1.0, -2.0, 0.5])
-    slope = families.slope_of(name)
-    rho = kernels.pose(v)[:3, 3]
-    np.testing.assert_allclose(rho, v[3:] / slope, rtol=4 * np.finfo(float).eps)
-    np.testing.assert_allclose(kernels.from_pose(kernels.pose(v)), v, rtol=8 * np.finfo(float).eps)
-    np.testing.assert_allclose(kernels.tangent(v)[0], np.eye(3) / slope, rtol=4 * np.finfo(float).eps)
-
-
-def test_branches_are_the_same_pose(name: str, kernels: ModuleType):
-    """Allow 1e-12: 40 eps times a condition below 100. The opposite branch of a shadow is v again."""
-    v = families.vectors(families.oracle_of(name), 0.3, 2.5)
-    for branch in range(1, families.oracle_of(name).order):
-        there = kernels.shadow(v, branch)
-        np.testing.assert_allclose(kernels.pose(there), kernels.pose(v), rtol=0, atol=1e-12)
-        np.testing.assert_allclose(kernels.principal(there), v, rtol=0, atol=1e-12)
-        np.testing.assert_allclose(kernels.shadow(there, -branch), v, rtol=0, atol=1e-12)
-
-
-def test_wiener_milenkovic_is_scaled2():
-    v = families.vectors(families.oracle_of("scaled2"), 0.01, 3.0)
-    np.testing.assert_array_equal(wiener_milenkovic.pose(v), scaled2.pose(v))
 
 
 def test_exponential_has_a_branch_for_every_turn():
@@ -81,14 +55,6 @@ def test_exponential_has_a_branch_for_every_turn():
         exponential.shadow(v, 0.5)
 
 
-@pytest.mark.parametrize("turns", [2.3, 10.6, 1e5])
-def test_exponential_of_many_turns_agrees_with_scipy(turns: float):
-    """Allow 8 eps of the angle."""
-    v = 2 * math.pi * turns * np.array([2, 3, 6, 0, 0, 0]) / 7
-    expected = Rotation.from_rotvec(v[:3]).as_matrix()
-    np.testing.assert_allclose(exponential.pose(v)[:3, :3], expected, rtol=0, atol=8 * np.finfo(float).eps * 7 * turns)
-
-
 @pytest.mark.parametrize("dtype", [np.float32, np.float64, np.longdouble])
 def test_rotation_stays_orthogonal_at_any_angle(dtype: type):
     """Expect R Rᵀ = I to 16 eps of the type, even for an α with a rounding error of many turns."""
@@ -98,22 +64,6 @@ def test_rotation_stays_orthogonal_at_any_angle(dtype: type):
     R = exponential.tensor(v)[:, 0]
     off = abs(R @ R.swapaxes(1, 2) - np.eye(3, dtype=dtype)).max(axis=(1, 2))
     assert (off <= 16 * np.finfo(dtype).eps).all()
-
-
-@pytest.mark.parametrize("left", [0.0, 1e-12, 1e-8, -1e-4, 1e-2, 2.0])
-def test_twist_agrees_with_complex_steps_next_to_half_a_turn(left: float):
-    """Expect dR = ω × R from complex steps near the pole of tan(α/2), to 64 eps of ω."""
-    v, v_dot = (math.pi - left) * np.array([2, -3, 6, 0, 0, 0]) / 7, np.array([1.0, 2, 3, 0, 0, 0])
-    R, dR = exponential.tensor(v)[0], exponential.tensor(v + 1e-40j * v_dot)[0].imag / 1e-40
-    omega = exponential.twist(v, v_dot)[:3]
-    np.testing.assert_allclose(dR, np.cross(omega, R.T).T, rtol=0, atol=64 * np.finfo(float).eps * abs(omega).max())
-
-
-def test_series_and_closed_form_agree_where_they_meet():
-    """Allow 8 eps, for rounding and for truncation of the series."""
-    limit = math.sqrt(6.0)
-    before, behind = (exponential.tangent(np.array([a, 0, 0, 0.3, 0.4, 0.5])) for a in (limit - 1e-15, limit + 1e-15))
-    np.testing.assert_allclose(before, behind, rtol=0, atol=8 * np.finfo(float).eps)
 
 
 @pytest.mark.parametrize("base", [cayley3, orthographic], ids=lambda base: base.CHART.module)

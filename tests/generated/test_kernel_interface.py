@@ -8,15 +8,13 @@ import pydoc
 import subprocess
 import sys
 from pathlib import Path
-from types import ModuleType
 
 import numpy as np
 import pytest
 
 import dualcay
 from derive.codegen.signatures import PUBLIC
-from dualcay.rotation import cayley2 as rotation
-from tests.support import examples, sampling
+from tests.support import sampling
 from tests.support.kernels import ORDERS, load
 
 PLAIN = {"singular_angles", "switch", "identity", "random"}
@@ -57,13 +55,6 @@ def test_every_function_has_its_documentation_and_signature(name: str) -> None:
     described = [part for line in listed if line[:1] not in ("", " ") for part in line.partition(" : ")[0].split(", ")]
     given = [part for part in described if part in parameters]
     assert given == [part for part in parameters if part in given], f"{name} lists {described}"
-
-
-@pytest.mark.smoke
-@pytest.mark.parametrize("module", [load(2), rotation], ids=["poses", "rotations"])
-def test_examples_in_docstrings_run(module: ModuleType) -> None:
-    functions = {getattr(module, name) for name in module.__all__}
-    assert examples.of_docstrings(functions, {"np": np, "cayley2": module}) == ""
 
 
 def test_help_tells_of_the_module_and_of_each_function() -> None:

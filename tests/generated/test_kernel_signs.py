@@ -69,18 +69,6 @@ def test_at_pi_matrices_give_the_axis_with_first_component_positive(order: int, 
                 np.testing.assert_allclose(got, wanted, rtol=1e-13, atol=1e-14)
 
 
-@FINITE
-@AXIS
-def test_half_turns_with_translation_from_matrices(order: int, axis: list[float]) -> None:
-    kernel, u = load(order), np.array(axis)
-    matrix = np.eye(4)
-    matrix[:3, :3] = 2 * np.outer(u, u) - np.eye(3)
-    matrix[:3, 3] = [1.0, -2.0, 3.0]
-    for got in (kernel.from_pose(matrix), kernel.from_pose(matrix[None])[0]):
-        assert np.sign(got[np.flatnonzero(u)[0]]) == 1
-        np.testing.assert_allclose(kernel.pose(got), matrix, atol=1e-14)
-
-
 @pytest.mark.parametrize("shape", [(6,), (4, 6)])
 def test_the_identity_has_no_other_branches(kernel: ModuleType, order: int, shape: tuple[int, ...]) -> None:
     zero = np.zeros(shape)
@@ -153,18 +141,6 @@ def test_full_turns_are_translations_along_the_axis(order: int, real: list[float
                 # Branches count turns in the direction of the translation.
                 wanted = oracle_of(order).shadow(v, k).astype(float)
                 np.testing.assert_allclose(shadow, wanted, rtol=1e-13, atol=1e-13)
-
-
-@pytest.mark.parametrize("order", [4, 8])
-@pytest.mark.parametrize("shift", [[0, 0, 2.0], [0, -0.5, 0]])
-def test_shadows_of_translations_form_a_group(order: int, shift: list[float]) -> None:
-    """Take the shadow j with |v| = 1, then its shadow k; branches count turns in the direction of the translation."""
-    kernel, v = load(order), np.array([0, 0, 0, *shift])
-    for j in (order // 4, -order // 4):
-        middle = kernel.shadow(v, j)
-        for k in range(order):
-            if (j + k) % order != order // 2:
-                np.testing.assert_allclose(kernel.shadow(middle, k), kernel.shadow(v, j + k), rtol=1e-14, atol=1e-14)
 
 
 @FINITE

@@ -12,7 +12,7 @@ import pytest
 
 from derive.codegen.signatures import PUBLIC
 from dualcay import _geometry, _numbers
-from tests.support.kernels import ALIKE, ORDERS, load
+from tests.support.kernels import ALIKE, load
 from tests.support.signatures import SHAPES, SIGNATURES, assert_nearly_equal, components_last, inputs, rows_of
 
 FUNCTION = pytest.mark.parametrize("name", SIGNATURES)
@@ -124,33 +124,6 @@ def test_overflow_of_p_gives_nan_screws_and_shadows(order: int, size: float) -> 
     for results in (module.shadow(crowd, 1), *module.to_screw(crowd)):
         assert np.isnan(results).all()
     np.testing.assert_array_equal(module.shadow(v, 1), module.shadow(v.astype(np.float64), 1).astype(np.float32))
-
-
-def test_single_precision_overflow_gives_no_warning(kernel: ModuleType, order: int) -> None:
-    for v in (np.full(6, 1e30, np.float32), np.full((3, 6), 1e30, np.float32)):
-        for name in ("quaternion", "tensor", "pose", "tangent", "tangent_inv", "principal"):
-            assert getattr(kernel, name)(v).dtype == np.float32
-
-
-@pytest.mark.parametrize("order", [n for n in ORDERS if n in (4, 8)])
-def test_poles_are_not_finite(order: int) -> None:
-    """Test |v| = 1, where T has no inverse: Re α is 2π for n = 4, and 4π, a zero of q_8, for n = 8."""
-    kernel = load(order)
-    v = np.array([[0, 0, 1.0, 0, 0, 0], [0.1, 0, 0, 0, 0, 0]])
-    for got in (kernel.tangent_inv(v), np.stack([kernel.tangent_inv(row) for row in v])):
-        assert not np.isfinite(got[0]).all()
-        assert np.isfinite(got[1]).all()
-    w = np.array([1.0, 2.0, 3.0, 0, 0, 0])
-    for got in (kernel.rate(v, w), np.stack([kernel.rate(row, w) for row in v])):
-        assert not np.isfinite(got[0]).all()
-        assert np.isfinite(got[1]).all()
-
-
-def test_order_one_has_no_vector_at_pi() -> None:
-    kernel = load(1)
-    q = np.array([0, 0.6, 0.8, 0, 0, 0, 0, 1.0])
-    for got in (kernel.from_quaternion(q), kernel.from_quaternion(q[None])[0]):
-        assert not np.isfinite(got[:3]).any() or np.linalg.norm(got[:3]) > 1e15
 
 
 def test_special_arguments_have_the_shapes_of_their_kinds() -> None:

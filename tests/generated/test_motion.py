@@ -16,7 +16,7 @@ from scipy.linalg import expm
 
 import dualcay
 from dualcay import Motion, MotionError, cayley2, exponential, propagate
-from tests.support import examples, motions
+from tests.support import motions
 
 NAMES = ("cayley1", "cayley2", "cayley3", "cayley5", "exponential")
 FRAMES, METHODS = ("space", "body"), ("lie", "chart")
@@ -163,36 +163,6 @@ def test_covariance_without_noise_is_moved_by_the_transition(frame: str) -> None
         np.testing.assert_allclose(found.covariance, wanted, rtol=0, atol=1e-4 * abs(wanted).max())
 
 
-@pytest.mark.thorough
-@pytest.mark.parametrize("frame", FRAMES)
-def test_covariance_with_noise_agrees_with_random_motions(frame: str) -> None:
-    """Move 1e5 poses by random twists that are constant in 80 intervals of 0.06 rad, whose products are exact.
-
-    The standard error of an entry of the covariance is √((P_ii P_jj + P_ij²)/1e5). Intervals add (0.06)²/12 = 3e-4
-    of P and the curvature of the chart σ² = 1e-4; both are small beside five errors, 0.02 of P.
-    """
-    rng, count, intervals, end = np.random.default_rng(11), 100_000, 80, 5.0
-    P = 1e-6 * np.diag([1.0, 2, 3, 4, 5, 6])
-    factor = np.array([[3.0, 0, 0, 0, 0, 0], [1, 2, 0, 0, 0, 0], [0, 1, 1, 0, 0, 0], [1, 0, 0, 4, 0, 0],
-                       [0, 0, 2, 0, 1, 0], [0, 0, 0, 0, 1, 2]]) * 5e-4  # fmt: skip
-    v0, dt = cayley2.from_exponential(START), end / intervals
-    v = v0 + rng.multivariate_normal(np.zeros(6), P, count)
-    for _ in range(intervals):
-        omega = OMEGA + rng.standard_normal((count, 6)) @ factor.T / np.sqrt(dt)
-        step = cayley2.from_exponential(omega * dt)
-        v = cayley2.compose(step, v) if frame == "space" else cayley2.compose(v, step)
-    found = propagate(cayley2, v0, steady, [0, 1, end], frame=frame, covariance=P, noise=factor @ factor.T)
-    at = cayley2.from_quaternion(cayley2.quaternion(v), int(found.branch[-1]))
-    wanted = np.cov(at.T)
-    P = found.covariance[-1]
-    errors = np.sqrt((np.outer(np.diag(P), np.diag(P)) + P**2) / count)
-    assert (abs(P - wanted) / errors).max() < 5
-    still = propagate(cayley2, v0, steady, [0, end], frame=frame, noise=factor @ factor.T).covariance[-1]
-    assert (abs(still - wanted) / errors).max() > 20  # control: without the covariance of the start
-    swapped = propagate(cayley2, v0, steady, [0, end], frame=frame, covariance=np.eye(6) * 3.5e-6).covariance[-1]
-    assert (abs(swapped - wanted) / errors).max() > 20  # control: without noise
-
-
 @pytest.mark.parametrize("frame", FRAMES)
 def test_covariance_with_noise_solves_its_differential_equation(frame: str) -> None:
     """Integrate ``Ṗ = A P + P Aᵀ + T⁻¹ n T⁻ᵀ`` beside v, with the derivative A of the rate; 1e-7 is above its error."""
@@ -302,10 +272,6 @@ def test_scipy_is_imported_by_propagate_alone_and_missed_by_name() -> None:
     )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert done.stdout.strip() == 'dualcay.propagate needs SciPy: pip install "scipy>=1.16"'
-
-
-def test_examples_in_docstrings_run() -> None:
-    assert examples.of_docstrings([propagate]) == ""
 
 
 def test_a_chart_singular_at_half_a_turn_is_followed_past_it() -> None:

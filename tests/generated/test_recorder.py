@@ -131,12 +131,6 @@ def test_conditions_themselves_are_selected(dtype: type) -> None:
     np.testing.assert_array_equal(found, [0, 1, 1, 0])
 
 
-def test_outputs_may_be_arguments_constants_and_equal() -> None:
-    a = np.array([1.0, 2.0])
-    found = recorded(lambda m, a: (a, 5, a + a, a + a, -(a + a), a), np.float64, a, outputs=6)
-    np.testing.assert_array_equal(found, [a, [5, 5], 2 * a, 2 * a, -2 * a, a])
-
-
 def repeated(pattern: Sequence[str], m: Any, v: Sequence[Any]) -> list[Any]:
     """Return one output per letter of the pattern: the argument, one of two other values, or a constant."""
     values = {"a": v[0], "s": v[0] + 2, "t": v[0] * v[0], "5": 5}

@@ -1,4 +1,4 @@
-"""Control of the kernel tests: after one flipped sign in a program of order 3, some law fails."""
+"""Control of the kernel tests: some law fails after a flipped sign in a program of order 3; one of three is tried."""
 
 from __future__ import annotations
 
@@ -25,6 +25,9 @@ ORDER = 3
 REGIMES = ("uniform", "shadow", "pure translation", "below pi", "coordinate axes")
 """Regimes with arguments on both sides of each selection, so that every operation matters."""
 
+
+SHARE = 3
+"""Share of the signs of a program that are flipped."""
 
 SELECTING = ("either", "zero", "one", "every", "whole", "xmade", "beside1", "beside2")
 """Names of numbers that only select a side, or NaN."""
@@ -164,7 +167,7 @@ def test_unchanged_kernels_pass() -> None:
 @pytest.mark.parametrize("name", sorted(name for name in PROGRAMS if users(name)))
 def test_oracle_detects_every_flipped_sign(name: str) -> None:
     unseen = []
-    for place in signs(PROGRAMS[name]):
+    for place in signs(PROGRAMS[name])[len(name) % SHARE :: SHARE]:
         kernels = kernels_with(flipped(PROGRAMS[name], place))
         if not (seen_by_oracle(kernels, users(name)) or seen_at_full_turns(kernels) or seen_on_cones(kernels)):
             unseen.append(ast.unparse(list(ast.walk(PROGRAMS[name]))[place]))

@@ -11,7 +11,6 @@ from scipy.integrate import solve_ivp
 
 import dualcay
 from dualcay import _switching, switch_event
-from tests.support import examples
 
 NAMES = ("cayley2", "cayley3", "cayley5", "exponential", "sine4", "scaled3", "wiener_milenkovic")
 EPS = np.finfo(float).eps
@@ -145,7 +144,3 @@ def test_charts_singular_at_half_a_turn_have_no_event() -> None:
     for module in (dualcay.cayley1, dualcay.orthographic):
         with pytest.raises(ValueError, match=r"is singular at the angle 3.14159, where no other branch helps"):
             switch_event(module)
-
-
-def test_examples_in_docstrings_run() -> None:
-    assert examples.of_docstrings((switch_event,)) == ""

@@ -11,7 +11,6 @@ import pytest
 import dualcay
 from dualcay import _sequences, _switching, unwrap
 from tests.generated.test_switching import EPS, charts
-from tests.support import examples
 
 
 def test_unwrap_of_rotation_vectors_that_jump_at_half_a_turn() -> None:
@@ -219,7 +218,3 @@ def test_columns_are_unwrapped_alone_in_any_block(monkeypatch: pytest.MonkeyPatc
         np.testing.assert_array_equal(found[:, 0, 1], v[:, 0, 1])
         assert unwrap(module, v[:0]).shape == (0, 2, 3, 6)
         monkeypatch.undo()
-
-
-def test_examples_in_the_docstring_run() -> None:
-    assert examples.of_docstrings((unwrap,)) == ""

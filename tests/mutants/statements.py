@@ -14,9 +14,8 @@ from derive.claims.deciding.claim import Claim
 from derive.claims.deciding.places import Probe
 from derive.claims.equation import Entry, Reading
 from derive.claims.language.operator_table import negated
-from derive.claims.language.printed import RELATION, Apply, Number, Symbol, Term
+from derive.claims.language.printed import RELATION, Apply, Number, Term
 from derive.claims.numbers.balls import BlurredError
-from derive.claims.numbers.kinds import PROPOSITION
 from derive.claims.result import Result
 from derive.papers import PAPERS
 
@@ -27,10 +26,9 @@ UNCOMBINABLE = (TypeError, AttributeError, ValueError, KeyError, IndexError)
 
 REPLACED = {
     "plus": "minus", "minus": "plus", "Re": "Du", "Du": "Re", "sin": "cos", "cos": "sin", "tan": "cot", "cot": "tan",
-    "cos²": "tan²", "tan²": "cos²",
 }
 """Replacement for each operator, by name."""
-SWAPPED = ("minus", "over", "power", "implies", "cross", "dyad", "atan2", "commutator", "vector")
+SWAPPED = ("minus", "over", "power", "implies", "cross", "dyad", "atan2 of two", "vector")
 """Operators whose arguments are swapped."""
 DROPPED = (*REPLACED, "times", "negative", "root", "negated", "transpose", "conjugate", "arctan")
 """Operators that are dropped; only their first argument remains."""
@@ -120,8 +118,6 @@ def changed(statement: Term) -> Iterator[tuple[str, Term]]:
 def _mutants(node: Term) -> Iterator[tuple[str, Term]]:
     if isinstance(node, Number):
         yield f"{node.value} raised by 1", Number(node.value + 1)
-    if isinstance(node, Symbol) and node.quantity is PROPOSITION:
-        yield f"{node.name} negated", negated(node)
     if not isinstance(node, Apply):
         return
     yield from _other_operators(node)
@@ -141,11 +137,11 @@ def _other_operators(node: Apply) -> Iterator[tuple[str, Term]]:
         yield f"arguments of {name} swapped", operator(*reversed(arguments))
     if name in DROPPED and name not in ("Re", "Du"):
         yield f"{name} dropped" if len(arguments) == 1 else f"second part of {name} dropped", arguments[0]
-    if name in ("plus", "times", "implies", "iff"):
+    if name in ("plus", "times", "implies"):
         yield f"first part of {name} dropped", arguments[1]
     if name == "minus":
         yield "first part of minus dropped", -arguments[1]
-    if name in ("implies", "iff"):
+    if name == "implies":
         yield f"second part of {name} negated", operator(arguments[0], negated(arguments[1]))
     if operator.level == RELATION and name not in ("equal", "negated") and len(arguments) > 0:
         yield f"{name} negated", negated(node)

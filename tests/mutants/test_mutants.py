@@ -20,7 +20,7 @@ import pytest
 
 from derive.claims.decide import decide
 from derive.claims.equation import Entry, equation
-from derive.claims.language.operator_table import Re, cross, equal, iff, implies, nonzero, zero
+from derive.claims.language.operator_table import Re, cross, equal, implies, nonzero
 from derive.claims.language.printed import Number, Symbol, Term, text
 from derive.codegen.programs.program import Assignment, Program
 from derive.codegen.signatures import lower_chart
@@ -168,10 +168,10 @@ def test_unknown_rooms_are_refused() -> None:
 # --- statements of the papers -----------------------------------------------------------------------------------------
 
 a, b = Symbol("a", "dual number"), Symbol("b", "dual number")
-u, v, p = Symbol("u", "dual vector"), Symbol("v", "dual vector"), Symbol("p", "proposition")
+u, v = Symbol("u", "dual vector"), Symbol("v", "dual vector")
 SQUARE = equal((a + b) ** 2, a**2 + 2 * (a * b) + b**2)
-EVERY = 97
-"""Stride of the sample: every 97th mutant of the papers is evaluated here; `make mutants` draws from all mutants."""
+EVERY = 291
+"""Stride of the sample: every 291st mutant of the papers is evaluated here; `make mutants` draws from all mutants."""
 
 
 def entry(statement: Term = SQUARE, **rest: object) -> Entry:
@@ -185,7 +185,7 @@ def fates(tried: Entry, statement: Term) -> list[str]:
 @pytest.mark.parametrize(
     ("statement", "texts"),
     [(a + a, ["a-a", "a"]), (a - a, ["a+a", "a", "-a"]), (a * b, ["a", "b"]), (Number(2), ["3"]), (a, []),
-     (p, ["not p"]), (cross(u, v), ["v×u"]), (a**2, ["2^a", "a^3"]), (-a, ["a"]), (nonzero(a), ["not a≠0"]),
+     (cross(u, v), ["v×u"]), (a**2, ["2^a", "a^3"]), (-a, ["a"]), (nonzero(a), ["not a≠0"]),
      (equal(a, b + 1), ["a=b-1", "a=b", "a=1", "a=b+2"])],
     ids=str,
 )  # fmt: skip
@@ -193,10 +193,10 @@ def test_mutants_of_a_statement(statement: Term, texts: list[str]) -> None:
     assert [text(mutant) for _, mutant in changed(statement)] == texts
 
 
-def test_claims_and_both_directions_of_an_equivalence_are_changed() -> None:
-    changes = {change for change, _ in changed(iff(zero(a), implies(Symbol("claim", "proposition"), nonzero(a))))}
-    assert {"claim negated", "arguments of implies swapped"} <= changes
-    assert {"second part of implies negated", "second part of iff negated"} <= changes
+def test_relations_and_both_parts_of_an_implication_are_changed() -> None:
+    changes = {change for change, _ in changed(implies(equal(a, 0), implies(nonzero(b), nonzero(a))))}
+    parts = {f"{part} of implies {fate}" for part, fate in (("second part", "negated"), ("first part", "dropped"))}
+    assert {"nonzero negated", "arguments of implies swapped", *parts} <= changes
 
 
 def test_domains_are_changed_or_dropped() -> None:
@@ -244,5 +244,5 @@ def test_most_mutants_of_the_papers_are_refuted() -> None:
             tried += [trial for _, trial in trials(one, statement)]
     found = [trial().kind for trial in tried[::EVERY]]
     killed = found.count(KILLED)
-    assert killed > 50
+    assert killed > 15
     assert killed >= 0.9 * (killed + found.count(SURVIVED))

@@ -58,6 +58,13 @@ BOUNDS = (
     ("norm(cross(v, w))", "norm(v) <= {c} and norm(w) <= {d}", "{c}*{d}"),
     ("entry(v, 1) + entry(v, 2)", "norm(v) <= {c}", "{c}*sqrt(2)"),
     ("x*y", "norm(x) <= {c} and norm(y) <= {d}", "{c}*{d}"),
+    ("x*y*s", "0 <= x and x <= {c} and 0 <= y and y <= {d} and s <= 3", "3*{c}*{d}"),
+    ("norm(v - 2*w)", "norm(v) <= {c} and norm(w) <= {d}", "{c} + 2*{d}"),
+    ("-dot(v, w)", "norm(v) <= {c} and norm(w) <= {d}", "{c}*{d}"),
+    ("norm(R*v + w)", "norm(v) <= {c} and norm(w) <= {d}", "{c} + {d}"),
+    ("norm(x*v)", "norm(x) <= {c} and norm(v) <= {d}", "{c}*{d}"), ("dot(e, v)", "norm(v) <= {c}", "{c}"),
+    ("{c}*sin(x) + {c}*cos(y)", "norm(x) <= 9", "2*{c}"), ("x*({c} - x)", "norm(x) <= 9", "{c}**2/4"),
+    ("exp(-x**2)*{c}", "norm(x) <= {d}", "{c}"), ("{c}*x - x**3", "0 <= x and x <= {d}", "2*{c}/3*sqrt({c}/3)"),
 )  # fmt: skip
 """A number, a domain, and its largest value there."""
 BELOW = (
@@ -65,6 +72,10 @@ BELOW = (
     "x**2 + {c} > 0",
     "tanh(x) != 1", "exp(x) != 0", "1 + exp(-x**2) > 1", "x**2 + y**2 >= 2*x*y", "norm(v)*norm(w) >= dot(v, w)",
     "trace(R) <= 3",
+    "exp(x) >= 1 + x", "cosh({c}*x) >= 1 + {c}**2*x**2/2", "norm(sin({c}*x)) <= {c}*norm(x)",
+    "log(s) <= s/{c} - 1 + log({c})",
+    "tanh(x)*x <= x**2", "trace(R) >= -1", "norm(entry(R, 1, 2)) <= 1", "norm(dot(v, w)) <= (dot(v, v) + dot(w, w))/2",
+    "x**4 + y**4 >= 2*{c}*x*y - {c}**2/2", "norm(v + w + u) <= norm(v) + norm(w) + norm(u)", "sin(x)*cos(y) <= 1",
     "implies(tanh(x) == 1, x == {c})", "implies(exp(-x**2) == 0, x == {c})", "floor(tanh(x)) < 1",
 )  # fmt: skip
 """Relations that are true, some nearer to equality than numbers of any precision show."""
@@ -73,9 +84,22 @@ ABOVE = (
     "norm(rate(v)) <= {c}0",
     "sin(pi*du(X)) == 0", "(rate(x)**2 - 1)*(rate(x)**2 - 4)*(rate(x)**2 - 9) == 0", "exp(-(x - 37)**2) < 1/2",
     "floor(k/97)*97 != k", "(x**2 - {d})**2 > 0", "rate(x)*rate(y) != {c}", "floor(sin(x)**2) == 0", "cos(x) < 1",
-    "(1 + x)**3 >= 1 + 3*x",
+    "(1 + x)**3 >= 1 + 3*x", "sin(x) < 1", "sin(x)*cos(x) < 1/2", "floor(cos(x)**2) == 0", "tan(x) >= x",
+    "exp(x) >= 1 + {d}*x",
+    "exp(-{c}*(x + 1{c}1)**2) < 1/3", "norm(v) - entry(v, 3) > 0", "trace(R) + 1 + norm(v) > 0",
+    "norm(x) + norm(x - {c}) > {c}", "norm(v - vector({c}, 1, {d})) + norm(w) > 0", "2 + entry(e, 3) + sin(x) > 0",
+    "norm(cross(v, w)) < norm(v)*norm(w)",
+    "x**4 + y**4 >= 2*{c}*x*y - {c}**2/3", "(cos(x) - x/{d})**2 > 0", "1/(1 + (x - 3{c})**2) < 1",
 )  # fmt: skip
 """Relations that are false, some at single points alone."""
+
+EXISTING = (
+    ("sqrt({p})**2 == {p}", "log({p}) == log({p})", "({p})/({p}) == 1", "norm(x)/({p}) == norm(x)*({p})**-1",
+     "integral(1/(t + {p})**2, t, 0, 1) == 1/({p})/({p} + 1)", "rate(sqrt({p})) == rate({p})/(2*sqrt({p}))"),
+    ("x**2 + {c}", "exp(x)", "{c} + sin(x)*cos(y)", "cosh(x) - 1/2", "dot(v, v) + {c}", "s + {c}", "4 + trace(R)"),
+    ("x - {c}", "x*y", "sin(x)", "x**2 - {d}", "norm(v) - {d}", "entry(v, 1)", "trace(R)", "s - {c}"),
+)  # fmt: skip
+"""Claims with a partial operation of p, numbers p that are positive, and those that are not everywhere."""
 
 
 @dataclass(frozen=True)
@@ -109,11 +133,17 @@ def _at_a_point(source: random.Random) -> Known:
 def _bound(source: random.Random, slack: str, truth: bool) -> Known:
     number, domain, most = source.choice(BOUNDS)
     c, d = source.randint(2, 5), source.randint(2, 5)
-    return Known(f"{number} <= {most.format(c=c, d=d)}{slack}", truth, domain.format(c=c, d=d))
+    return Known(f"{number.format(c=c, d=d)} <= {most.format(c=c, d=d)}{slack}", truth, domain.format(c=c, d=d))
 
 
 def _relation(source: random.Random, rows: tuple[str, ...], truth: bool) -> Known:
     return Known(source.choice(rows).format(c=source.randint(1, 9), d=source.randint(2, 9)), truth)
+
+
+def _existing(source: random.Random, positive: bool) -> Known:
+    forms, above, mixed = EXISTING
+    p = source.choice(above if positive else mixed).format(c=source.randint(2, 9), d=source.randint(2, 9))
+    return Known(source.choice(forms).format(p=p), True if positive else None)
 
 
 def _at_an_order(source: random.Random) -> Known:
@@ -124,6 +154,7 @@ def _at_an_order(source: random.Random) -> Known:
 KINDS: tuple[Callable[[random.Random], Known], ...] = (
     _identity, _changed, _at_a_point, lambda s: _bound(s, "", True), lambda s: _bound(s, " - 1/5", False),
     lambda s: _relation(s, BELOW, True), lambda s: _relation(s, ABOVE, False), _at_an_order,
+    lambda s: _existing(s, True), lambda s: _existing(s, False),
 )
 
 

@@ -4,15 +4,27 @@ from __future__ import annotations
 
 import ast
 from collections.abc import Iterator
+from functools import cache
 from pathlib import Path
 
 ROOT = Path(__file__).parents[2]
 
 
-def imported(path: Path) -> Iterator[tuple[str, ...]]:
-    """Yield every imported module as parts of its absolute name; ``from package import module`` yields the module."""
+@cache
+def nodes(path: Path) -> list[ast.AST]:
+    """Return all nodes of a file, which many rules read."""
+    return list(ast.walk(ast.parse(path.read_text(encoding="utf-8"))))
+
+
+@cache
+def imported(path: Path) -> frozenset[tuple[str, ...]]:
+    """Return every imported module as parts of its absolute name; ``from package import module`` names the module."""
+    return frozenset(_imported(path))
+
+
+def _imported(path: Path) -> Iterator[tuple[str, ...]]:
     package = path.relative_to(ROOT).parts[:-1]
-    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+    for node in nodes(path):
         if isinstance(node, ast.Import):
             yield from (tuple(alias.name.split(".")) for alias in node.names)
         elif isinstance(node, ast.ImportFrom):

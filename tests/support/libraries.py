@@ -69,10 +69,12 @@ class Late:
         self._name = name
 
     def __getattr__(self, name: str) -> Any:
+        if name.startswith("_"):  # pytest asks every object of a test file for names of this kind
+            raise AttributeError(name)
         return getattr(importlib.import_module(self._name), name)
 
 
-jax, jaxlie = Late("jax"), Late("jaxlie")
+jax, jaxlie, numba = Late("jax"), Late("jaxlie"), Late("numba")
 
 
 def on_host(array: Any) -> np.ndarray:

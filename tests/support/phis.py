@@ -86,7 +86,7 @@ REMOVABLE = {
     "-(sin(alpha) - alpha)**(1/3)": ("fold", "2*pi"),
     "(alpha**3 + alpha**5)**(1/3)": ("cut", "4*pi"),
     "(sinh(alpha/2) - sin(alpha/2))**(1/3)": ("cut", "4*pi"),
-    "(alpha**5 + tan(alpha/6)**7)**(1/5)": ("pole", "3*pi"),
+    "(alpha**3 + tan(alpha/6)**5)**(1/3)": ("pole", "3*pi"),
     "alpha*sqrt(2*(1 - cos(alpha))/alpha**2)": ("fold", "pi"),
     "(1 - cos(alpha))/alpha": ("fold", "2.331122370414"),
     "sin(alpha/2)**2/alpha": ("fold", "2.331122370414"),

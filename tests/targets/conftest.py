@@ -10,10 +10,6 @@ from types import ModuleType
 
 import pytest
 
-from derive.codegen.build import print_package
-from derive.codegen.targets import TARGETS
-from derive.maps import Cayley, family
-from derive.output import files
 from tests.support import packages
 
 
@@ -67,6 +63,5 @@ def compiled(package: Callable[[str], str]) -> Callable[[int], ModuleType]:
 
 @pytest.fixture(scope="session")
 def headers(shared: Callable[[str, Callable[[Path], object]], Path]) -> Path:
-    """Return the folder of C headers of some charts, without their differential tests, which take long to write."""
-    charts = [*map(Cayley, (2, 3)), *map(family, packages.FAMILIES["c"])]
-    return shared("c_headers", lambda at: files.write(at, print_package(charts, TARGETS["c"], tested=False).texts))
+    """Return the folder of C headers of some charts."""
+    return shared("c_headers", packages.headers)

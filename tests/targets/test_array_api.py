@@ -34,6 +34,8 @@ LIBRARIES = [
     pytest.param("torch", marks=pytest.mark.torch), *ON_GPU
 ]  # fmt: skip
 LIBRARY = pytest.mark.parametrize("library", LIBRARIES)
+STRICT = pytest.mark.parametrize("library", LIBRARIES[1:])
+"""Libraries but NumPy, whose functions the strict library is made of."""
 # libraries based on NumPy warn of NaN and infinity at singular points
 pytestmark = pytest.mark.filterwarnings("ignore:(invalid value|divide by zero):RuntimeWarning")
 
@@ -45,8 +47,8 @@ OWN_FUNCTIONS = ("torch", "torch on a GPU", "cupy")
 SLOW = ("jax", "jax.jit", "dask")
 """Slow libraries, which compile or plan every operation; tests use one order, one type and few functions."""
 
-COMPILED = ("pose", "tangent_inv", "twist", "from_pose", "compose", "shadow", "rate_jacobian")
-"""Functions compared in slow libraries."""
+COMPILED = ("pose", "from_pose", "compose", "rate_jacobian")
+"""Functions compared with the oracle in slow libraries; tests of derivatives compile all of them."""
 
 KINDS = {(len(row.arguments), len(row.result)): name for name, row in SIGNATURES.items()}
 """Sample of functions: one for each number of arguments and of result axes."""
@@ -55,7 +57,7 @@ FEW = ("pose", "compose", "shadow")
 """Sample for slow libraries, where arrays pass the same text as in the others: one and two arguments, a real map."""
 
 
-@LIBRARY
+@STRICT
 def test_gates_of_the_oracle_hold_in_every_library(array_api, library):
     module = Through(array_api(3), library)
     for name in FEW if library == "dask" else COMPILED if library in SLOW else FUNCTIONS:
@@ -71,17 +73,17 @@ def test_results_stay_on_the_gpu(array_api, library):
         assert getattr(module, name)(*values).device == values[0].device, name
 
 
-@LIBRARY
+@STRICT
 def test_other_orders_agree_with_the_numpy_kernels(array_api, library):
-    for order in (2,) if library in SLOW else (1, 2, 8):
+    for order in (2,) if library in SLOW else (1, 8):
         module, kernel = Through(array_api(order), library), load(order)
-        for name in COMPILED if library in SLOW else SIGNATURES:
+        for name in FEW if library in SLOW else SIGNATURES:
             values = inputs(kernel, name, order, (5,))
             assert_nearly_equal(getattr(module, name)(*values), getattr(kernel, name)(*values), eps=40)
 
 
 @LIBRARY
-@pytest.mark.parametrize("dtype", [np.float32, np.float64, np.complex64, np.complex128])
+@pytest.mark.parametrize("dtype", [np.float32, np.complex128])
 def test_types_are_kept(array_api, library, dtype):
     order = 3
     module, kernel = Through(array_api(order), library), load(order)
@@ -102,10 +104,10 @@ def test_integers_become_floating_point_numbers(array_api, library):
         np.testing.assert_allclose(got, load(2).pose([[0.0, 1, 0, 2, 0, 0]]), rtol=1e-6, atol=1e-6)
 
 
-@LIBRARY
+@STRICT
 def test_components_first_and_broadcasting(array_api, library):
     module = Through(array_api(3), library)
-    for name in FEW if library in SLOW else SIGNATURES:
+    for name in FEW[1:2] if library in SLOW else SIGNATURES:
         kinds, result, _ = SIGNATURES[name]
         values = inputs(load(3), name, 3, (2, 3))
         last = getattr(module, name)(*values)

@@ -16,7 +16,7 @@ from derive.maps.chart import Chart
 from tests.support import scalars
 from tests.support.scalars import COMPILERS, TABLES, built, functions
 
-pytestmark = pytest.mark.compiler
+pytestmark = [pytest.mark.compiler, pytest.mark.thorough]
 
 CHARTS = (Cayley(3), family("exponential"))
 LIBRARIES = {

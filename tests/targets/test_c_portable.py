@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import ctypes
 import re
-import shutil
 import subprocess
 from pathlib import Path
 
@@ -87,16 +86,3 @@ def test_a_switch_is_that_of_the_numpy_kernels(headers, table, tmp_path):
     switch(*(np.ctypeslib.as_ctypes(array.reshape(-1)) for array in (*given, *found)))
     for one, other in zip(found, module.switch(*given), strict=True):
         np.testing.assert_allclose(one, other, rtol=0, atol=1e-13 * abs(other).max())
-
-
-@pytest.mark.skipif(not shutil.which("cmake"), reason="CMake is not installed")
-def test_a_project_of_cpp_alone_takes_two_folders_of_kernels(headers, tmp_path):
-    for name in ("first", "second"):
-        shutil.copytree(headers, tmp_path / name)
-    lines = ["cmake_minimum_required(VERSION 3.21)", "project(some LANGUAGES CXX)"]
-    lines += ["add_subdirectory(first)", "add_subdirectory(second)"]
-    (tmp_path / "CMakeLists.txt").write_text("\n".join(lines) + "\n", encoding="utf-8")
-    command = ["cmake", "-S", str(tmp_path), "-B", str(tmp_path / "build")]
-    done = subprocess.run(command, capture_output=True, text=True)
-    assert (done.returncode, done.stderr) == (0, "")
-    assert "The C compiler" not in done.stdout

@@ -28,7 +28,7 @@ from tests.support.signatures import SIGNATURES, components_first, inputs
 
 pytestmark = [pytest.mark.compiler, pytest.mark.thorough]
 
-CHARTS = (Cayley(2), Cayley(3), family("exponential"))
+CHARTS = (Cayley(3), family("exponential"))
 NAMES = sorted(n for n in PUBLIC.keys() & SIGNATURES.keys() if all(array.shape for array in PUBLIC[n].arguments))
 OF_ROTATIONS = sorted(
     name
@@ -65,7 +65,7 @@ def test_backend_says_where_compiled_functions_run(package, where, table):
     native, numpy = (importlib.import_module(f"{name}{where}").backend() for name in (package, "dualcay"))
     assert native.keys() == numpy.keys()
     assert set(numpy.values()) == {"numpy"}
-    found = {name for name, runs in native.items() if runs == "native in cayley2, cayley3, exponential"}
+    found = {name for name, runs in native.items() if runs == "native in cayley3, exponential"}
     assert found == table.public.keys()
     assert {native[name] for name in native.keys() - found} == {"numpy"}
 
@@ -87,7 +87,7 @@ def test_reimport_reuses_compiled_functions(native):
     assert again.pose is first.pose
 
 
-@pytest.mark.parametrize("chart", CHARTS[:2], ids=lambda chart: chart.name)
+@pytest.mark.parametrize("chart", CHARTS, ids=lambda chart: chart.name)
 def test_the_replay_agrees_with_the_formulas(package, chart):
     """Replay single poses, batches, components first, and branches."""
     for table in (POSES, ROTATIONS):

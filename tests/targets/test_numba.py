@@ -14,13 +14,13 @@ from types import ModuleType
 
 import numpy as np
 import pytest
-from numba import jit, njit
 
 from derive.codegen.signatures import KERNELS, geometry
-from derive.codegen.targets import numba
+from derive.codegen.targets import numba as printer
 from tests.support import sampling
 from tests.support.kernels import load
 from tests.support.layouts import BATCHES, require_strides_of_one_ignored
+from tests.support.libraries import numba
 from tests.support.signatures import (
     SIGNATURES,
     assert_nearly_equal,
@@ -36,7 +36,8 @@ pytestmark = pytest.mark.thorough
 ORDER = 3
 KINDS = {(row.arguments, row.result): name for name, row in SIGNATURES.items() if not name.startswith("dcay")}
 """Sample of functions, one for each kind of arguments and result: a loop over columns takes seconds to compile."""
-REGIMES = [r for r in sampling.REGIMES if r != "identity"]
+REGIMES = ("uniform", "shadow", "pure translation", "below pi", "coordinate axes")
+"""Regimes on both sides of each selection: test_sign_flips.py shows that an error in any operation is seen in them."""
 
 
 @pytest.fixture
@@ -48,7 +49,7 @@ def inside(package):
 @pytest.mark.parametrize("name", FUNCTIONS)
 def test_gates_of_the_oracle_hold(compiled, name):
     for regime in REGIMES:
-        Trial(compiled(ORDER), ORDER, regime).check(name)
+        Trial(compiled(ORDER), ORDER, regime, count=1).check(name)
 
 
 @pytest.mark.parametrize("name", KINDS.values())
@@ -105,7 +106,7 @@ def test_out_is_written_and_may_overlap(compiled):
         module.pose(v, out=np.empty((4, 4)))
 
 
-@pytest.mark.parametrize("name", KINDS.values())
+@pytest.mark.parametrize("name", list(KINDS.values())[::3])
 def test_axes_of_length_1_may_have_any_stride(compiled, name):
     for shape in BATCHES:
         values = inputs(load(ORDER), name, ORDER, shape)
@@ -153,8 +154,8 @@ def test_singular_points_are_ieee_results_without_a_warning(compiled):
 
 def test_no_loop_stores_more_than_is_vectorised():
     for name, program in geometry().items():
-        loops = numba.loops(KERNELS[name], program)
-        assert all(rows.count("out[") <= numba.MOST_OUTPUTS for rows in loops.rows)
+        loops = printer.loops(KERNELS[name], program)
+        assert all(rows.count("out[") <= printer.MOST_OUTPUTS for rows in loops.rows)
         assert all("".join(loops.rows).count(f"out[{i}, i]") == 1 for i in range(len(program.outputs)))
         assert all(loops.alone.count(f"out[{i}]") == 1 for i in range(len(program.outputs)))
 
@@ -164,7 +165,7 @@ def test_loops_without_trigonometry_are_vectorised(compiled, name, monkeypatch):
     module = compiled(ORDER)
     kernel = module.CHART.kernels[name]
     # loops from the disk cache have no LLVM text, so they are compiled again
-    loops = [jit(**loop.targetoptions)(loop.py_func) for loop in kernel.loops]
+    loops = [numba.jit(**loop.targetoptions)(loop.py_func) for loop in kernel.loops]
     monkeypatch.setattr(kernel, "loops", loops)
     getattr(module, name)(*(components_first(a, 1) for a in inputs(load(ORDER), name, ORDER, (9,))), axis=0)
     for loop in loops:
@@ -212,7 +213,7 @@ def test_compiled_loops_are_kept_on_disk_for_each_chart_and_its_scalars(imported
 def test_compiled_user_code_may_call_cores(compiled):
     core = compiled(ORDER).CHART.kernels["quaternion"].kernel.core
 
-    @njit
+    @numba.njit
     def scalar_parts(rows):
         return [core((v[0], v[1], v[2], v[3], v[4], v[5]))[0] for v in rows]
 
@@ -247,7 +248,7 @@ def test_kernels_are_callable_from_compiled_code(compiled, inside):
     """Call functions of the space and the body frame, which share a kernel with different constants."""
     rate, twist = inside(compiled(ORDER).rate), inside(compiled(ORDER).body_twist)
 
-    @njit
+    @numba.njit
     def both(v, omega, v_dot, back):
         for i in range(len(v)):
             rate(v[i], omega[i], v_dot[i])

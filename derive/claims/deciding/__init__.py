@@ -9,16 +9,18 @@ zeros           zeros of singular parts along lines of points
 polar           letters in polar form: lengths, angles and directions
 identity        proof of a claim at independent generators, exactly or modulo a random prime
 proof           proof of a claim by one of three ways: for every order, exactly, or modulo a random prime
+equal_sides     points at which both sides of an order relation are equal or a floor jumps
 uphill          corners of a bounded domain, and the way uphill from one
 places          points at which a claim may fail
 conditions      conditions of a claim, found from the points where a part has no value, and their sharpness
-existence       proof that both sides have a value, and of order relations
+existence       proof that both sides have a value
+ordering        proof of order relations, by signs of exact numbers or along one number
 regions         region on which a claim of one branch is true
 changes         changes in one step that mend a claim, terms that do not matter, constraints that it needs
 counterexample  numbers of a point at which a claim fails
+split           claims without logic and cases that together say what one claim says
 finding         decision of one claim: points refute it or find its condition, and a proof confirms it
 ==============  ================================================================================
 
-Each module imports only from modules above it in the table. None of them needs `python_entries`, which
-decides entries with definitions in Python.
+Each module imports only from modules above it in the table.
 """

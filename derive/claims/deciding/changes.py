@@ -134,7 +134,7 @@ def true_at(claim: Claim, found: Sequence[Place], least: int = 1) -> bool:
             truth = claim.truth(place)
         except BlurredError:
             continue
-        except (TypeError, AttributeError, ValueError, IndexError, ArithmeticError):
+        except (TypeError, AttributeError, ValueError, LookupError, ArithmeticError):
             return False
         if truth is False:
             return False

@@ -14,12 +14,12 @@ from ...algebra import Dual, Structure
 from ...algebra.element import NotExactError
 from ..equation import Entry
 from ..language.environment import Env
-from ..language.operator_table import both, epsilon, equal, negated
+from ..language.operator_table import both, equal, negated
 from ..language.printed import Symbol, Term, Trait, rate_depth, symbols, with_trait
 from ..numbers.balls import PRECISIONS, Ball, Balls, BlurredError, arb, precision
 from ..numbers.fields import Constants, Field
 from ..numbers.kinds import BRANCH, KINDS, ORDER, SIGN, Kind, Numbers, jet
-from .terms import at_zero
+from .terms import at_zero, takes_parts
 
 RATES_MAX = 2
 """Highest order of a time derivative for which letters have rates."""
@@ -50,6 +50,7 @@ class Place:
     values: Mapping[Symbol, Any] = field(default_factory=dict)  # values that coordinates do not reach
     pair: bool = False
     zero: Term | None = None  # number that certainly vanishes somewhere in the balls of the coordinates
+    known: Mapping[Term, Term] = field(default_factory=dict)  # parts with a value that is certain there
 
     @property
     def exact(self) -> bool:
@@ -115,7 +116,7 @@ class Claim:
     @cached_property
     def apart(self) -> bool:
         """Whether dual parts are taken, or given."""
-        return bool(with_trait(Trait.APART, *self.parts)) or epsilon in (a for p in self.parts for a in symbols(p))
+        return takes_parts(*self.parts)
 
     @cached_property
     def dual(self) -> bool:
@@ -129,6 +130,12 @@ class Claim:
         if depth > RATES_MAX:
             raise RefusedError(f"rates are nested more than {RATES_MAX} deep")
         return 0 if self.flat else depth
+
+    @cached_property
+    def at_rest(self) -> frozenset[Symbol]:
+        """Letters whose rates no part asks for."""
+        asked = {a for part in with_trait(Trait.RATE, *self.parts) for a in symbols(part)}
+        return frozenset(self.coordinates) - asked
 
     def env(self, place: Place, field: Field | None = None) -> Env:
         """Return the environment at a point, over balls by default."""
@@ -171,7 +178,7 @@ class Claim:
 
         def coefficient(value: Any) -> Any:
             rates = [number(next(further)) for _ in range(self.depth)]
-            return jet(value, [0 * rate for rate in rates] if still else rates)
+            return value if letter in self.at_rest else jet(value, [0 * rate for rate in rates] if still else rates)
 
         def part(c: Any) -> Any:
             value = coefficient(number(c))
@@ -186,7 +193,8 @@ class Claim:
 
         Raise `BlurredError` if neither the second precision nor exact numbers tell.
         """
-        part = at_zero(self.statement if statement is None else statement, place.zero, self.dual)
+        part = self.statement if statement is None else statement
+        part = at_zero(part, place.zero, self.dual).xreplace(dict(place.known))
         try:
             found: bool | None = self.evaluated(place, part, bool)
         except BlurredError:

@@ -11,7 +11,7 @@ from ...algebra.matrix import Matrix
 from ..language.environment import Env
 from ..language.matrices import at_least, at_most, greater, unlike
 from ..language.operations import written
-from ..language.operator_table import Re, cos, det, nonzero, norm, over, remark, sin, trace
+from ..language.operator_table import Re, cos, det, nonzero, norm, over, sin, trace
 from ..language.printed import Number, Term, Trait, symbols
 from ..numbers.balls import BlurredError, precision
 from ..numbers.fields import innermost
@@ -56,7 +56,7 @@ def fault(env: Env, node: Term) -> Exclusion | None:
     if name == "norm":
         return Exclusion(Re(*arguments) if env.dual else node, "!= 0")
     if name == "root":
-        return Exclusion(arguments[0], ">= 0")
+        return Exclusion(arguments[0], "> 0" if _vanishes(env, arguments[0]) else ">= 0")
     if name == "log":
         value = env.value(arguments[0])
         if isinstance(value, Tensor | Matrix):
@@ -106,7 +106,10 @@ def _factor(env: Env, below: Term) -> Term:
 
 
 def exclusions(claim: Claim, places: Sequence[Place]) -> dict[Exclusion, Place]:
-    """Return the requirements that the points without a value violate, each with the first such point."""
+    """Return the requirements that the points without a value violate, each with the first such point.
+
+    A requirement is left out if a stricter one of the same number is found.
+    """
     found: dict[Exclusion, Place] = {}
     for place in places:
         with precision(256):
@@ -116,17 +119,18 @@ def exclusions(claim: Claim, places: Sequence[Place]) -> dict[Exclusion, Place]:
                 continue
         if requirement is not None:
             found.setdefault(requirement, place)
-    return found
+    return {one: place for one, place in found.items()
+            if one.relation != ">= 0" or replace(one, relation="> 0") not in found}  # fmt: skip
 
 
 def plain(probe: Probe, requirement: Exclusion) -> str:
     """Return a requirement in plain form: by values of the letter if it has only one, else as it stands."""
-    letters = [a for a in symbols(requirement.subject) if a in probe.claim.coordinates]
-    if requirement.relation != "has a value" and any(kind(a).dual for a in letters):
+    letters = [a for a in symbols(requirement.subject) if a in probe.claim.letters]
+    if requirement.relation != "has a value" and any(a in probe.claim.coordinates and kind(a).dual for a in letters):
         requirement = replace(requirement, subject=_real(requirement.subject))
     shown = replace(requirement, subject=probe.claim.entry.contracted(requirement.subject))
-    simple = requirement.subject in (*letters, *map(norm, letters))
-    if requirement.relation == "!= 0" and len(letters) == 1 and not simple:
+    alone = len(letters) == 1 and letters[0] in probe.claim.coordinates
+    if requirement.relation == "!= 0" and alone and requirement.subject not in (*letters, *map(norm, letters)):
         name, roots = probe.roots_along(requirement.subject, letters[0]) or ("", [])
         return (roots and values_excluded(name, roots)) or str(shown)
     return str(shown)
@@ -165,9 +169,7 @@ def is_sharp(condition: Term, statement: Term) -> bool:
 
 
 def _parts(condition: Term) -> Iterator[Term]:
-    if condition.operator is remark:
-        yield from _parts(condition.arguments[0])
-    elif Trait.JOINS in condition.operator.traits and not condition.operator.lazy:
+    if Trait.JOINS in condition.operator.traits and not condition.operator.lazy:
         for part in condition.arguments:
             yield from _parts(part)
     else:

@@ -15,7 +15,7 @@ import flint
 
 from ..language.environment import Env
 from ..language.printed import Term, Trait, symbols
-from ..language.values import add, coefficients, negative
+from ..language.values import add, coefficients
 from ..numbers.balls import Ball, BlurredError, arb, precision
 from ..numbers.kinds import Numbers
 from .claim import Claim, Place, kind
@@ -143,7 +143,7 @@ def gaps(env: Env, constraints: Sequence[Term]) -> list[Any]:
     pairs = [pair for part in constraints for pair in pairwise(part.arguments)]
     squared = [any(Trait.LENGTH in side.operator.traits for side in pair) for pair in pairs]
     sides = [[env.value(a**2 if square else a) for a in pair] for pair, square in zip(pairs, squared, strict=True)]
-    found = [a if isinstance(b, int) and not b else add(a, negative(b)) for a, b in sides]
+    found = [a if isinstance(b, int) and not b else add(a, -b) for a, b in sides]
     return [c for gap in found for c in coefficients(gap)]
 
 

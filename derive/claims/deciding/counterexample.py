@@ -11,7 +11,7 @@ from ...algebra.element import Element
 from ..language import operator_table
 from ..language.environment import Env
 from ..language.printed import Term, Trait, latex
-from ..language.values import Either, coefficients, equal
+from ..language.values import coefficients, equal
 from ..numbers.balls import PRECISIONS, Ball, precision
 from ..numbers.fields import Exact
 from ..result import Counterexample
@@ -29,7 +29,7 @@ def shown_at(claim: Claim, place: Place, words: str = "") -> Counterexample:
             letters = letters or {name: parts for name, parts in numbers.items() if parts}
             for proof, field in (("exact rationals", exact), ("disjoint intervals", env)):
                 with suppress(ArithmeticError, TypeError, AttributeError):
-                    if found := sides(field, claim.statement):
+                    if found := sides(field, claim.statement.xreplace(dict(place.known))):
                         return Counterexample(words or place.label, letters, found, proof)
     return Counterexample(words or place.label, letters, ())
 
@@ -61,9 +61,8 @@ def _rational(env: Env, letter: Any) -> list[str]:
 
 def _numbers(value: Any) -> list[str]:
     """Return the numbers of a value; none if it contains other things, or balls beside fractions."""
-    first = value.first if isinstance(value, Either) else value
-    if isinstance(first, bool):
+    if isinstance(value, bool):
         return []
     found = [a.ring.value(a.numerator) / a.ring.value(a.denominator) if isinstance(a, Element) else a
-             for a in coefficients(first)]  # fmt: skip
+             for a in coefficients(value)]  # fmt: skip
     return [str(a) for a in found] if all(isinstance(a, int | Fraction | Ball) for a in found) else []

@@ -1,4 +1,4 @@
-"""Proof that both sides of a claim have a value, and of order relations, by the signs of exact numbers.
+"""Proof that both sides of a claim have a value, by the signs of exact numbers.
 
 A partial operation asks something of a number: a divisor is not 0, a radicand is not negative. This is proved where the
 factors of the number have one sign on the stated domain, or are asked to by a condition that was found.
@@ -10,20 +10,27 @@ from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 from dataclasses import field as of_class
+from fractions import Fraction
 from typing import Any
 
 from ...algebra import Structure, Tensor
-from ...algebra.element import Element
+from ...algebra.element import Element, NotExactError
 from ...algebra.matrix import Matrix
 from ..language.environment import Env
-from ..language.operator_table import both, cos, det, norm, sin
-from ..language.printed import Number, Symbol, Term, Trait
+from ..language.operator_table import cos, det, nonzero, norm, sin
+from ..language.printed import Number, Symbol, Term
 from ..numbers.fields import innermost
 from ..numbers.generators import Generators
-from .claim import Claim
-from .identity import ABSENT, STRICT, difference, not_negative, orders_of, setting, with_free_product
-from .proof import proved
+from .claim import Claim, kind
+from .identity import ABSENT, STRICT, difference, not_negative, setting, with_free_product
+from .proof import COMPONENTWISE
 from .singular import size
+from .terms import RELATIONS, is_dual, operators
+
+MARGIN = Fraction(1, 1000)
+"""Distance from 0 of a number that is proved not to be 0 at generic values, so it is 0 nowhere."""
+DEPTH = 4
+"""Largest number of roots and logarithms that a proof of a sign takes in turn."""
 
 
 @dataclass(frozen=True)
@@ -33,6 +40,8 @@ class Signs:
     env: Env
     nonzero: list[Any] = of_class(default_factory=list)
     named: list[Term] = of_class(default_factory=list)  # terms that are not 0
+    free: bool = False  # whether a frame may be turned so that no direction is the one that polar forms leave out
+    numbers: frozenset[str] = frozenset()  # letters that reach all their values
 
     @property
     def field(self) -> Any:
@@ -55,9 +64,13 @@ class Signs:
         return False
 
     def assume(self, part: Term) -> None:
-        """Note what a relation of a stated domain, or of a condition, says of numbers."""
+        """Note what a relation of a stated domain, or of a condition, says of numbers; its own divisors are not 0."""
         name, arguments = part.operator.name, part.arguments
         try:
+            for one, asked in _partial(part, None) if name in RELATIONS else ():
+                if asked == "not 0" and not self._is_matrix(one):
+                    self.named.append(one)
+                    self.nonzero.extend(self.ring.factors(self.number(one)))
             if name in ("unlike", "nonzero"):
                 if self._is_matrix(difference(part)):
                     return  # a matrix that is not 0 may have no inverse
@@ -65,7 +78,7 @@ class Signs:
                 self.nonzero.extend(self.ring.factors(self.number(difference(part))))
             elif name in STRICT:
                 gap = self.field.element(not_negative(self.env, part))
-                self.field.assumed.append(gap)
+                self.field.assumed += [gap, *self._squared(gap)]
                 self.nonzero.extend(self.ring.factors(gap) if STRICT[name] else [])
             elif name in ("both", "and"):
                 for one in arguments:
@@ -73,33 +86,108 @@ class Signs:
         except ABSENT:
             return
 
+    def _squared(self, gap: Element) -> Iterator[Element]:
+        """Yield ``a a - b b r r`` for a number ``a - b r`` that is not negative, with a root r and positive a and b."""
+        for _, name in self.field.extensions:
+            part = -self._lone(gap, name) * self.field.symbol(name)
+            if part and self.field.is_positive(part) and self.field.is_positive(gap + part):
+                yield (gap + part) ** 2 - part**2
+
     def is_nonzero(self, a: Element) -> bool:
         """Return whether a number is proved to be 0 nowhere."""
-        one = self.ring.library.one
-        return bool(a) and all(
-            factor in self.nonzero or self.ring.definite(factor, strict=True)
-            for factor in self.ring.factors(a) if factor != one
+        return bool(a) and (all(map(self._is_apart, self.ring.factors(a))) or (
+            not self.free and any(self.field.is_positive(b - MARGIN) for b in (a, -a))))
+
+    def _is_apart(self, factor: Any) -> bool:
+        """Return whether a factor is 0 nowhere; that of several letters also in limits of polar forms."""
+        if factor in (self.ring.library.one, *self.nonzero) or self._is_root_apart(factor):
+            return True
+        if any(self._is_above(factor, known * known) for known in self.nonzero):
+            return True
+        if not self.ring.definite(factor, strict=True):
+            return False
+        letters = self._letters(self.ring.fraction(factor, self.ring.library.one))
+        if len(letters) < 2 or letters <= self.numbers:
+            return True
+        return self.free and self.ring.definite(factor, strict=True, limits=True)
+
+    def _is_above(self, factor: Any, square: Any) -> bool:
+        """Return whether a factor has one sign even without a multiple of a square of this sign."""
+        terms, other = (self.ring.library.terms(a) for a in (factor, square))
+        ratios = {terms[powers] / c for powers, c in other.items() if powers in terms}
+        a, b = (self.ring.fraction(polynomial, self.ring.library.one) for polynomial in (factor, square))
+        return any(self.is_positive((a - ratio * b) * (1 if ratio > 0 else -1), depth=0) for ratio in ratios)
+
+    def _letters(self, a: Element) -> set[str]:
+        """Return the names of the letters on which a number depends."""
+        found: set[str] = set()
+        for name in self.field.used(a):
+            known = self.field.meaning.get(name, ("", ()))[1]
+            parts = known if isinstance(known, tuple) else (known,)
+            found |= set().union(*map(self._letters, parts)) if parts else {name.split(".")[0]} - {"pi"}
+        return found
+
+    def _is_root_apart(self, factor: Any) -> bool:
+        """Return whether a factor is the root of a number that is 0 nowhere."""
+        roots = (square for square, name in self.field.extensions if factor == self.field.symbol(name).numerator)
+        return any(map(self.is_nonzero, roots))
+
+    def is_positive(self, a: Element, strict: bool = False, depth: int = DEPTH) -> bool:
+        """Return whether a number is proved not to be negative, or to be positive if `strict`.
+
+        Of ``a + b r`` with a root r the squares tell, of ``a + b log(c)`` the exponentials.
+        """
+        if not strict and (not a or self.field.is_positive(a)):
+            return True
+        if strict and self.field.is_positive(a) and self.is_nonzero(a):
+            return True
+        return bool(depth) and (
+            self._is_above_root(a, strict, depth - 1) or self._is_above_logarithm(a, strict, depth - 1)
+            or self._is_above_assumed(a, strict)
         )  # fmt: skip
 
-    def not_negative(self, a: Element) -> bool:
-        """Return whether a number is proved to be 0 or positive, for ``a - b r`` with a root r by the squares."""
-        if not a or self.field.is_positive(a):
-            return True
+    def _lone(self, a: Element, name: str) -> Element:
+        """Return the factor of a generator in a number, if it occurs to the first power only."""
+        found: Element = self.ring.fraction(a.numerator.derivative(self.ring.index(name)), a.denominator)
+        return found
+
+    def _is_above_root(self, a: Element, strict: bool, depth: int) -> bool:
         for _, name in self.field.extensions:
-            i = self.ring.index(name)
-            lone = self.ring.fraction(a.numerator.derivative(i), a.denominator)
-            rest, r = a - lone * self.field.symbol(name), self.field.symbol(name)
-            if self.field.is_positive(rest) and self.not_negative(rest * rest - lone * lone * r * r):
+            part = self._lone(a, name) * self.field.symbol(name)
+            for one, other in ((a - part, part), (part, a - part)) if part else ():
+                if self.is_positive(one, False, depth) and self.is_positive(one * one - other * other, strict, depth):
+                    return True
+        return False
+
+    def _is_above_logarithm(self, a: Element, strict: bool, depth: int) -> bool:
+        for known, logarithm in self.field.logarithms:
+            lone = self._lone(a, str(logarithm))
+            with suppress(NotExactError):
+                if lone and self.field.is_positive(lone):
+                    return self.is_positive(known - self.field.exp(-(a - lone * logarithm) / lone), strict, depth)
+        return False
+
+    def _is_above_assumed(self, a: Element, strict: bool) -> bool:
+        """Return whether a number is positive even without a multiple of one that is assumed not to be negative."""
+        for known in self.field.assumed:
+            top, bottom = (self.ring.library.terms(b.numerator) for b in (a, known))
+            ratios = {top[powers] / c for powers, c in bottom.items() if powers in top}
+            if any(self.is_positive(a - ratio * known, strict, 0) for ratio in ratios if ratio > 0):
                 return True
         return False
 
 
-def signs_of(
-    claim: Claim, fixed: Mapping[Symbol, int], condition: Sequence[Term] = (), roots: Sequence[int] = ()
-) -> Signs:
-    """Return the signs for one choice of orders and of signs of roots, with what domain and condition say."""
-    domain = [] if claim.entry.claimed is None else [claim.entry.claimed]
-    signs = Signs(setting(claim, Generators, fixed, roots))
+def is_frame_free(claim: Claim) -> bool:
+    """Return whether all vectors may be turned together, as no component is taken."""
+    return COMPONENTWISE.isdisjoint(name.split()[0] for name in operators(*claim.parts) if name)
+
+
+def signs_in(claim: Claim, env: Env, condition: Sequence[Term] = ()) -> Signs:
+    """Return the signs in an environment over generators, with what domain and condition say."""
+    domain = [nonzero(a) for a in claim.coordinates if kind(a).invertible]
+    domain += [] if claim.entry.claimed is None else [claim.entry.claimed]
+    free = is_frame_free(claim) and not any(kind(a).projective and kind(a).size == 4 for a in claim.coordinates)
+    signs = Signs(env, free=free, numbers=frozenset(a.name for a in claim.coordinates if kind(a).size == 1))
     for part in (*domain, *condition):
         signs.assume(part)
     return signs
@@ -108,13 +196,13 @@ def signs_of(
 def undecided_parts(claim: Claim, condition: Sequence[Term] = ()) -> list[Term]:
     """Return the partial operations of a claim that are not proved to have a value."""
     claim, condition = with_free_product(claim, *condition)
-    parts = dict.fromkeys(_partial(claim.statement, bool(claim.depth or claim.dual)))
+    parts = dict.fromkeys(_partial(claim.statement, claim))
     waiting: list[tuple[Mapping[Symbol, int], tuple[int, ...]]] = [(fixed, ()) for fixed in claim.choices]
     found: dict[Term, None] = {}
     while waiting and parts:
         fixed, roots = waiting.pop()
         try:
-            signs = signs_of(claim, fixed, condition, roots)
+            signs = signs_in(claim, setting(claim, Generators, fixed, roots), condition)
         except ABSENT:
             return list(dict.fromkeys(part for part, _ in parts))
         found |= dict.fromkeys(part for part, asked in parts if not _has_value(signs, part, asked))
@@ -138,7 +226,7 @@ def _has_value(signs: Signs, part: Term, asked: str) -> bool:
         number = signs.number(part, innermost)
         if asked == "within 1":
             number = 1 - number * number
-        return signs.not_negative(number) and (asked != "logarithm" or signs.is_nonzero(number))
+        return signs.is_positive(number, strict=asked == "logarithm")
     except ABSENT:
         return False
 
@@ -179,8 +267,11 @@ def _is_named(part: Term, named: Sequence[Term]) -> bool:
     return name == "times" and all(isinstance(a, Number) or _is_named(a, named) for a in arguments)
 
 
-def _partial(statement: Term, moving: bool) -> Iterator[tuple[Term, str]]:
-    """Yield the terms on which a partial operation of a statement depends, with what it asks of them."""
+def _partial(statement: Term, claim: Claim | None) -> Iterator[tuple[Term, str]]:
+    """Yield the terms on which a partial operation of a statement depends, with what it asks of them.
+
+    A magnitude has no rate at 0. Its dual part there is a slope in one direction.
+    """
     for node in _evaluated_nodes(statement):
         name, arguments = node.operator.name, node.arguments
         if name == "over":
@@ -191,7 +282,7 @@ def _partial(statement: Term, moving: bool) -> Iterator[tuple[Term, str]]:
                 yield arguments[0], "not 0"
             if exponent.operator.name in ("over", "negative", "bracket"):
                 yield arguments[0], "not negative"
-        elif name == "inverse" or (name == "norm" and moving):
+        elif name == "inverse" or (name == "norm" and _has_slope(claim, arguments[0])):
             yield arguments[0], "not 0"
         elif name == "root":
             yield arguments[0], "not negative"
@@ -205,24 +296,6 @@ def _partial(statement: Term, moving: bool) -> Iterator[tuple[Term, str]]:
             yield arguments[0] ** 2 + arguments[1] ** 2, "not 0"
 
 
-def ordered(claim: Claim) -> bool:
-    """Return whether the order relations that a claim states are proved, for all n if it is about orders."""
-    try:
-        return not orders_of(claim) and all(
-            _is_true(claim, signs_of(claim, fixed), claim.statement) for fixed in claim.choices
-        )
-    except ABSENT:
-        return False
-
-
-def _is_true(claim: Claim, signs: Signs, statement: Term) -> bool:
-    """Return whether a statement is proved, and no root of unknown sign occurs in its order relations."""
-    name = statement.operator.name
-    if Trait.JOINS in statement.operator.traits or statement.operator is both:
-        return all(_is_true(claim, signs, part) for part in statement.arguments)
-    if name == "unlike":
-        return signs.is_nonzero(signs.number(difference(statement))) and not signs.field.roots
-    if name not in STRICT:
-        return proved(claim.with_statement(statement)) is not None
-    gap = signs.field.element(not_negative(signs.env, statement))
-    return signs.not_negative(gap) and (not STRICT[name] or signs.is_nonzero(gap)) and not signs.field.roots
+def _has_slope(claim: Claim | None, part: Term) -> bool:
+    """Return whether rates of a part matter, or its dual part apart from the real one."""
+    return claim is not None and bool(claim.depth or (claim.apart and is_dual(part)))

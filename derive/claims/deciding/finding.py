@@ -17,18 +17,20 @@ from itertools import chain, islice
 from ...algebra.element import NotExactError
 from ...algebra.structures import MeaninglessError
 from ..language.operations import written
-from ..language.operator_table import negated, zero
+from ..language.operator_table import equal, negated
 from ..language.printed import Term
 from ..numbers.balls import PRECISIONS, BlurredError, precision
 from ..result import Status
 from .claim import Claim, Place, RefusedError
 from .conditions import exclusions, is_sharp, plain
-from .existence import ordered, undecided_parts
+from .existence import undecided_parts
 from .identity import CUT, MODULO, difference, orders_of
+from .ordering import ordered
 from .places import Probe
 from .proof import proved
 from .regions import REGION_MIN, Region, branched, region
 from .singular import ORDERED
+from .split import is_split, split
 from .terms import operators
 
 JUMPS = frozenset(("atan2 of two", "arctan", "acos", "asin", "log"))
@@ -100,14 +102,9 @@ class Finding:
         return self.status in (Status.HOLDS, Status.HOLDS_IF, Status.UNREFUTED)
 
 
-def decided(
-    claim: Claim, early: Callable[[Finding], None] = lambda finding: None,
-    in_python: Callable[[Claim], Finding] | None = None,
-) -> Finding:  # fmt: skip
-    """Return the decision of a claim of a file, or of an entry in Python; the first is `early` told before a proof."""
+def decided(claim: Claim, early: Callable[[Finding], None] = lambda finding: None) -> Finding:
+    """Return the decision of a claim; a decision without proof is `early` told before the proof."""
     try:
-        if in_python is not None:
-            return in_python(claim)
         return _stated(claim, early) if claim.entry.is_transcribed else _found(claim, early)
     except RefusedError as error:
         return Finding(Status.UNDECIDED, str(error))
@@ -136,7 +133,7 @@ def _found(claim: Claim, early: Callable[[Finding], None]) -> Finding:
     if tried:
         early(_unproved(first, ""))
     how = _proof(claim) if tried else None
-    if how is not None and not undecided_parts(claim):
+    if how is not None and not _without_value(claim):
         return _proved(first, how)
     at.false += _equal_sides(claim, at.blurred)
     if not enough(at):
@@ -154,14 +151,20 @@ def _equal_sides(claim: Claim, places: Sequence[Place]) -> list[Place]:
     if not places or claim.statement.operator.name not in ("unlike", "nonzero", "less", "greater"):
         return []
     gap = difference(claim.statement)
-    equality = replace(claim, entry=replace(claim.entry, claimed=None), statement=zero(gap))
+    equality = replace(claim, entry=replace(claim.entry, claimed=None), statement=equal(gap, 0))
     found = (place for place in places if claim.evaluated(place, gap) is not None)
     return list(islice(found, 1)) if proved(equality) else []
 
 
 def _proof(claim: Claim) -> str | None:
-    """Return how a claim is proved where both sides have a value, or None."""
-    if not CUT.isdisjoint(operators(claim.statement)):
+    """Return how a claim is proved where both sides have a value, by the weakest of its parts; or None."""
+    hows = [_proof_of_part(part) for part in split(claim)]
+    known = [how for how in hows if how is not None]
+    return max(known, key=lambda how: (", n = " in how, how.startswith(MODULO))) if known == hows else None
+
+
+def _proof_of_part(claim: Claim) -> str | None:
+    if not CUT.isdisjoint(operators(claim.statement)) or not is_split(claim.statement):
         return None  # true at generic values, it may be false at special ones
     if not ORDERED.isdisjoint(operators(claim.statement)):
         return "exact" if ordered(claim) else None
@@ -175,10 +178,15 @@ def _with_proof(claim: Claim, finding: Finding, how: str | None) -> Finding:
         return Finding(Status.FALSE, method, finding.points, "exact", failing=place)
     if how is None or ", n = " in how:
         return _unproved(finding, how or "")
-    if without := undecided_parts(claim, finding.needed):
+    if without := _without_value(claim, finding.needed):
         shown = ", ".join(dict.fromkeys(written(claim.entry.contracted(part)) for part in without[:SHOWN]))
         return _unproved(finding, f"{how} where both sides have a value, which is open for {shown}")
     return _proved(finding, how)
+
+
+def _without_value(claim: Claim, condition: Sequence[Term] = ()) -> list[Term]:
+    """Return the parts of a claim that are not proved to have a value."""
+    return [part for one in split(claim) for part in undecided_parts(one, condition)]
 
 
 def _proved(finding: Finding, how: str) -> Finding:
@@ -241,7 +249,7 @@ def _inside(at: Outcome, within: Region | None) -> list[Place]:
 
 def _condition(probe: Probe, at: Outcome, within: Region | None) -> tuple[str, Place | None]:
     """Return the condition under which a claim is true, in words, and a point outside it."""
-    border = within is not None and any(within.test(place) is None for place in at.undefined)
+    border = within is not None and any(within.test(place) is None for place in (*at.undefined, *at.false))
     found = exclusions(probe.claim, _inside(at, within))
     parts = [within.strict if border else within.words] if within else []
     words = " and ".join(dict.fromkeys([*parts, *(plain(probe, requirement) for requirement in found)]))

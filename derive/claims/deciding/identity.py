@@ -17,7 +17,7 @@ from ...algebra.element import NotExactError
 from ..language.environment import Env
 from ..language.matrices import inverse
 from ..language.operations import written
-from ..language.operator_table import both, over
+from ..language.operator_table import Du, both, over
 from ..language.printed import Number, Symbol, Term, Trait, symbols, walk, with_trait
 from ..numbers.fields import innermost
 from ..numbers.generators import Generators
@@ -25,7 +25,8 @@ from ..numbers.kinds import ORDER
 from ..numbers.residues import Residues, UnluckyError
 from .claim import Claim, kind
 from .constrained import gaps
-from .polar import Polar, bounds, closed_letters
+from .polar import Polar, Way, bounds, closed_letters
+from .terms import operators, takes_parts
 
 PRIMES_MAX = 40
 """Largest number of primes that are tried for one with all roots."""
@@ -104,19 +105,23 @@ def _evaluated(
 
 
 def setting(
-    claim: Claim, make: Make, fixed: Mapping[Symbol, int], signs: Sequence[int] = ()
-) -> Env:
+    claim: Claim, make: Make, fixed: Mapping[Symbol, int], signs: Sequence[int] = (), way: Way = Way.POLAR,
+    steps: int = 0,
+) -> Env:  # fmt: skip
     """Return the environment of a claim over independent generators, for one choice of orders.
 
     Dual letters have their real parts alone unless the claim takes dual parts: an identity of differentiable functions
-    also holds for dual numbers.
+    also holds for dual numbers. Angles are taken in `steps` or finer parts.
     """
     domain = [] if claim.entry.claimed is None else conjuncts(claim.entry.claimed)
-    steps = lcm(steps_of(claim.statement), *(4 * n for a, n in fixed.items() if a.quantity is ORDER))
+    steps = lcm(steps or steps_of(claim.statement), *(4 * n for a, n in fixed.items() if a.quantity is ORDER))
     field = partial(make, steps=steps, signs=signs)
-    given = bounds(domain), field, closed_letters(domain), claim.apart, not claim.constraints
+    if claim.constraints:
+        way = Way.COMPONENTS
+    dual = takes_parts(claim.statement, *claim.constraints) or Du.name in operators(*claim.parts)
+    given = bounds(domain), field, closed_letters(domain), dual, way
     letters = Polar(claim.coordinates, claim.depth, *given)
-    env = Env(letters.field, letters.values | dict(fixed), claim.entry.definitions, claim.apart, claim.depth)
+    env = Env(letters.field, letters.values | dict(fixed), claim.entry.definitions, dual, claim.depth)
     if claim.constraints:
         letters.field.restrict_to([letters.field.element(gap) for gap in gaps(env, claim.constraints)])
     for part in domain:
@@ -124,6 +129,12 @@ def setting(
             with suppress(*ABSENT):
                 letters.field.assumed.append(letters.field.element(not_negative(env, part)))
     return env
+
+
+def whole_steps(statement: Term) -> int:
+    """Return the least integer M such that a statement contains only multiples of α/M, for each free angle α."""
+    divisors = [node.arguments[1] for node in walk(statement) if node.operator is over]
+    return lcm(1, *(d.value for d in divisors if isinstance(d, Number) and d.value))
 
 
 def difference(part: Term) -> Term:

@@ -14,10 +14,11 @@ from typing import Any
 from ...algebra import Vector
 from ..language.operations import written
 from ..language.printed import Symbol, Term, symbols
-from ..numbers.balls import BlurredError
+from ..numbers.balls import BlurredError, arb
 from ..numbers.kinds import BRANCH, ORDER, SIGN, Numbers, Quantity, special
 from .claim import Claim, Place, kind
 from .constrained import onto, touching
+from .equal_sides import equal_places
 from .singular import ABSENT, ORDERED, Singular, is_integer, singular, size
 from .terms import bare, operators
 from .uphill import Uphill
@@ -89,8 +90,9 @@ class Probe:
         return self._moved(chain.from_iterable(stages))
 
     def zeros(self) -> Iterator[Place]:
-        """Yield the points in the stated domain that are zeros of singular parts or have two special letters."""
-        yield from self._moved(chain(self._zeros(), self._pairs()))
+        """Yield the points in the stated domain that are zeros, have equal sides or two special letters."""
+        equal = equal_places(self.claim, self.drawn(0.5, 1.5), self.random)
+        yield from self._moved(chain(self._zeros(), equal, self._pairs()))
         if self.claim.entry.claimed is not None and len(self._found) < FEW:
             yield from self.near(self._found)
 
@@ -113,7 +115,7 @@ class Probe:
         return replace(place, label=f"near {place.label}", at=at, generic=True, on="", zero=None)
 
     def _inside(self, places: Iterable[Place]) -> Iterator[Place]:
-        for place in places:
+        for place in filter(self._is_invertible, places):
             try:
                 if self.claim.inside(place) and not (self.claim.constraints and self.claim.depth):
                     yield place
@@ -121,6 +123,11 @@ class Probe:
                     yield from islice(filter(self.claim.inside, self._projected(place)), 1)
             except BlurredError:
                 continue
+
+    def _is_invertible(self, place: Place) -> bool:
+        """Return whether no letter is 0 whose kind leaves 0 out."""
+        letters = (a for a in self.claim.coordinates if kind(a).invertible)
+        return not any(arb(c).contains(0) for a in letters for c in place.at[a])
 
     def _projected(self, place: Place) -> Iterator[Place]:
         """Yield the points on the equations of the domain near a point and near the opposite one."""

@@ -8,12 +8,13 @@ one direction.
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from enum import Enum, auto
 from fractions import Fraction
 from typing import Any
 
 import sympy
 
-from ...algebra import Dual, Quaternion
+from ...algebra import Dual, Quaternion, Vector
 from ...algebra.element import NotExactError
 from ...algebra.first_principles import tensor_by_sandwich
 from ...algebra.matrix import shaped
@@ -26,6 +27,9 @@ from ..numbers.signed import Bound
 POSITIVE = (sympy.Integer(0), sympy.oo)
 HALF_TURN = (sympy.Integer(0), sympy.pi)
 ALL = (-sympy.oo, sympy.oo)
+LENGTHS = ("X", "A")
+"""Coordinates whose ends no direction belongs to."""
+COSINE = (sympy.Integer(-1), sympy.Integer(1))
 RATES, DUAL = ("'", "''"), "°"
 Make = Callable[[Generators, dict[str, Any]], Any]
 
@@ -61,6 +65,10 @@ FORMS: Mapping[str, tuple[Mapping[str, tuple[Bound, Bound]], Make]] = {
 """Coordinates with their intervals and the builder of a value, for kinds with a polar form."""
 
 
+def _in_plane(field: Generators, c: Mapping[str, Any]) -> Any:
+    return Vector(field.sqrt(1 - c["c"] ** 2), 0, c["c"])
+
+
 def _form(letter: Symbol) -> str:
     """Return the name of the kind of a letter, that of the real kind for a dual vector or an orthogonal tensor."""
     name = letter.quantity.name.removeprefix("constant ")
@@ -68,18 +76,43 @@ def _form(letter: Symbol) -> str:
     return real.get(name, name)
 
 
-def coordinates(
-    letter: Symbol, bounds: Mapping[str, tuple[Bound, Bound]], polar: bool = True
-) -> dict[str, tuple[Bound, Bound]]:
+FIRST: tuple[Mapping[str, tuple[Mapping[str, tuple[Bound, Bound]], Make]], ...] = (
+    {"real vector": ({"X": POSITIVE}, lambda field, c: Vector(0, 0, 1) * c["X"]),
+     "real unit vector": ({}, lambda field, c: Vector(field.element(0), 0, 1))},
+    {"real vector": ({"X": POSITIVE, "c": COSINE}, lambda field, c: _in_plane(field, c) * c["X"]),
+     "real unit vector": ({"c": COSINE}, lambda field, c: _in_plane(field, c))},
+)  # fmt: skip
+"""Forms of the first two vectors, if a frame is chosen along them: by their lengths and the cosine between them."""
+
+
+class Way(Enum):
+    """Form of letters: in polar form, also with a frame along the first two vectors, or by free components."""
+
+    POLAR = auto()
+    FRAMED = auto()
+    COMPONENTS = auto()
+
+
+def forms(letters: Sequence[Symbol], way: Way) -> dict[Symbol, tuple[Mapping[str, tuple[Bound, Bound]], Make]]:
+    """Return the coordinates and builders of the letters that have other ones than their kind."""
+    if way is Way.COMPONENTS:
+        return {}
+    found = {a: FORMS[_form(a)] for a in letters if _form(a) in FORMS}
+    if way is Way.FRAMED:
+        for a, first in zip((a for a in letters if _form(a) in FIRST[0]), FIRST, strict=False):
+            found[a] = first[_form(a)]
+    return found
+
+
+def _intervals(
+    letter: Symbol, form: Mapping[str, tuple[Bound, Bound]] | None, bounds: Mapping[str, tuple[Bound, Bound]]
+) -> dict[str, tuple[Bound, Bound]]:  # fmt: skip
     """Return the intervals of the coordinates of a letter, within the bounds of its length or value in a domain."""
-    name = _form(letter)
     kind = KINDS[letter.quantity.name]
     if kind.still:
-        raise NotExactError(f"no polar form of a {name}")
-    if name in FORMS and polar:
-        found = dict(FORMS[name][0])
-    else:
-        found = {str(i): POSITIVE if kind.spread == "positive" else ALL for i in range(kind.projective, kind.size)}
+        raise NotExactError(f"no polar form of a {_form(letter)}")
+    free = POSITIVE if kind.spread == "positive" else ALL
+    found = {str(i): free for i in range(kind.projective, kind.size)} if form is None else dict(form)
     bounded = next((stem for stem in ("X", "A", "0") if stem in found), None)
     if letter.name in bounds and bounded is not None:
         (low, high), (least, most) = found[bounded], bounds[letter.name]
@@ -90,29 +123,33 @@ def coordinates(
 class Polar:
     """Values of letters over a field of generators; `field` makes it from names, intervals, integers and steps.
 
-    Dual letters have dual parts if `dual`, else their real parts alone. Unless `polar`, letters have free components.
+    Dual letters have dual parts if `dual`, else their real parts alone.
     """
 
     def __init__(
         self, letters: Sequence[Symbol], depth: int, bounds: Mapping[str, tuple[Bound, Bound]],
-        field: Callable[..., Generators], closed: Collection[str] = (), dual: bool = False, polar: bool = True,
+        field: Callable[..., Generators], closed: Collection[str] = (), dual: bool = False, way: Way = Way.POLAR,
     ) -> None:  # fmt: skip
-        self.depth, self.dual, self.polar = depth, dual, polar
-        stems = {a: coordinates(a, bounds, polar) for a in letters}
+        self.depth, self.dual, self.forms = depth, dual, forms(letters, way)
+        if way is Way.FRAMED and (depth or dual):
+            raise NotExactError("no frame along moving vectors")
+        stems = {a: _intervals(a, self.forms[a][0] if a in self.forms else None, bounds) for a in letters}
         intervals = {f"{a.name}.{stem}": ends for a in letters for stem, ends in stems[a].items()}
         parts = ("", DUAL) if dual else ("",)
         names = [name + part + dots for name in intervals for part in parts for dots in ("", *RATES[:depth])]
         integers = [f"{a.name}.0" for a in letters if KINDS[a.quantity.name].spread == "integer"]
         ranges = {name: ends for name, ends in intervals.items() if ends != ALL}
-        shut = {name for name in ranges if name.split(".")[0] in closed}
+        reached = {f"{a.name}.{stem}" for a in self.forms for stem in ("X", "c") if way is Way.FRAMED}
+        shut = {name for name in ranges if name.split(".")[0] in closed} | (reached & set(ranges))
         self.field = field(names, ranges, integers, closed=shut)
+        self.field.limits = {name for name in ranges if name.split(".")[1] in LENGTHS}
         self.values = {a: self._value(a, list(stems[a])) for a in letters}
 
     def _value(self, letter: Symbol, stems: Sequence[str]) -> Any:
-        name, kind = _form(letter), KINDS[letter.quantity.name]
+        kind = KINDS[letter.quantity.name]
         numbers = {stem: self._number(letter, stem) for stem in stems}
-        if name in FORMS and self.polar:
-            return FORMS[name][1](self.field, numbers)
+        if letter in self.forms:
+            return self.forms[letter][1](self.field, numbers)
         return kind.build([*[1] * kind.projective, *numbers.values()])
 
     def _number(self, letter: Symbol, stem: str) -> Any:

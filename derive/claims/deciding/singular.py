@@ -15,7 +15,7 @@ from ..language.operator_table import cos, sin
 from ..language.printed import Number, Symbol, Term, symbols, walk
 from ..numbers.balls import BlurredError, arb
 from ..numbers.fields import innermost
-from ..numbers.kinds import ORDER, SIGN
+from ..numbers.kinds import BRANCH, ORDER, SIGN
 from .claim import Claim, Place, kind
 from .terms import bare
 
@@ -107,7 +107,7 @@ def _half_turn(value: Any) -> Any:
 
 
 def is_integer(letter: Symbol) -> bool:
-    return letter.quantity is ORDER or (letter.quantity is not SIGN and kind(letter).spread == "integer")
+    return letter.quantity is ORDER or (letter.quantity not in (SIGN, BRANCH) and kind(letter).spread == "integer")
 
 
 def plain_in(part: Term, letter: Symbol) -> bool:

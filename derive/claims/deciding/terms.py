@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
-from ..language.operator_table import Re, cos, epsilon, sin
-from ..language.printed import Apply, Number, Term, symbols, walk
+from ..language.operator_table import Du, Re, cos, epsilon, sin
+from ..language.printed import Apply, Number, Symbol, Term, Trait, symbols, walk, with_trait
 from ..numbers.kinds import KINDS
 
 RELATIONS = frozenset(("less", "at most", "greater", "at least", "unlike", "equal", "nonzero"))
@@ -21,15 +21,21 @@ def at_zero(statement: Term, zero: Term | None, dual: bool) -> Term:
     pairs = {node: node.arguments for node in walk(statement) if node.operator.name in RELATIONS}
     known = {node: node.operator(*[Number(0)] * len(sides)) for node, sides in pairs.items()
              if bare(sides[0] if len(sides) == 1 or sides[1] == Number(0) else sides[0] - sides[1]) == zero
-             and len(sides) < 3 and not (dual and any(map(_is_dual, sides)))}  # fmt: skip
+             and len(sides) < 3 and not (dual and any(map(is_dual, sides)))}  # fmt: skip
     found: Term = statement.xreplace(known)
     return found
 
 
-def _is_dual(side: Term) -> bool:
+def takes_parts(*parts: Term) -> bool:
+    """Return whether terms take or give dual parts."""
+    return bool(with_trait(Trait.APART, *parts)) or epsilon in (a for part in parts for a in symbols(part))
+
+
+def is_dual(side: Term) -> bool:
     """Return whether a side may have a dual part."""
-    dual = any(a == epsilon or (a.quantity.name in KINDS and KINDS[a.quantity.name].dual) for a in symbols(side))
-    return dual and side.operator is not Re
+    if not isinstance(side, Symbol):
+        return side.operator not in (Re, Du) and any(map(is_dual, side.arguments))
+    return side == epsilon or (side.quantity.name in KINDS and KINDS[side.quantity.name].dual)
 
 
 def operators(*statements: Term) -> set[str]:

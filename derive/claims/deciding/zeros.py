@@ -85,25 +85,25 @@ class Line:
         with precision(FINE):
             return [float(t) for t in self._roots(part)]
 
-    def _roots(self, part: Singular) -> list[Any]:
-        grid = [*(Fraction(k, 2) for k in range(1, 40)), *FAR]
+    def _roots(self, part: Singular, brief: bool = False) -> list[Any]:
+        grid = [*(Fraction(k, 2) for k in range(1, 20 if brief else 40)), *(() if brief else FAR)]
         grid = [1 / FAR[-1] if kind(self.letter).spread == "positive" else Fraction(0), *grid]
         if not self.one_sided:
             grid = [*(-t for t in reversed(grid[1:])), *grid]
         value = partial(self.value, part)
         zeros: list[Any] = []
-        for _, refined in sorted(_brackets(value, grid), key=lambda row: abs(row[0])):
-            for t in refined():
+        for _, refined in sorted(_brackets(value, grid, brief), key=lambda row: abs(row[0])):
+            for t in refined() if len(zeros) < ROOTS_MAX else ():
                 f = None if t is None else value(Ball(t))
                 small = f is not None and abs(f) < flint.arb(2) ** -WIDTH
-                if small and len(zeros) < ROOTS_MAX and not any(abs(t - z) < arb(ASIDE) for z in zeros):
+                if small and not any(abs(t - z) < arb(ASIDE) for z in zeros):
                     zeros.append(t)
         return sorted(zeros, key=lambda t: (abs(float(t)), float(t)))
 
-    def places(self, part: Singular) -> tuple[list[float], list[Place]]:
+    def places(self, part: Singular, brief: bool = False) -> tuple[list[float], list[Place]]:
         """Return the zeros of a singular part, and the points on them, beside them and between them."""
         with precision(FINE):
-            roots, found = self._roots(part), []
+            roots, found = self._roots(part, brief), []
             for t in roots:
                 place, near = f"{self.shown} = {named(float(t))}", NEAR * (1 + abs(Ball(t)))
                 exact = (t * 4).is_integer()
@@ -129,7 +129,9 @@ def lines(claim: Claim, letter: Symbol, at: dict[Symbol, Any], source: Random) -
     yield Line(claim, at, letter, head, [Fraction(1)] if row.size == 1 else tail)
 
 
-def _brackets(value: Callable[[Any], Any], grid: Sequence[Any]) -> Iterator[tuple[Any, Callable[[], list[Any]]]]:
+def _brackets(
+    value: Callable[[Any], Any], grid: Sequence[Any], brief: bool
+) -> Iterator[tuple[Any, Callable[[], list[Any]]]]:
     """Yield the places near which a number vanishes, each with the function that finds the zeros there."""
     seen = []
     for t in grid:
@@ -142,6 +144,8 @@ def _brackets(value: Callable[[Any], Any], grid: Sequence[Any]) -> Iterator[tupl
     for (t, f), (u, g) in pairwise(seen):
         if f is not None and g is not None and f * g < 0:
             yield t, partial(_listed, zero, value, arb(t), arb(u), f, g)
+    if brief:
+        return
     for (t, f), (_, g), (u, h) in zip(seen, seen[1:], seen[2:], strict=False):
         if None not in (f, g, h) and f * h > 0 and f * g > 0 and 2 * abs(g) < abs(f) + abs(h) and g * g <= f * h:
             yield t, partial(_about_least, value, arb(t), arb(u), f, h)

@@ -6,7 +6,7 @@ Each evaluates its first argument at other values of the letter. Substitution tr
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from functools import reduce
 from typing import Any
@@ -21,9 +21,9 @@ from .environment import Env
 from .operator_table import define, infinity
 from .printed import ATOM, LIST, PRODUCT, SUM, Apply, OperatorRow, Symbol, Term, symbols, walk
 
-BINDERS: dict[str, int] = {"sum": 0, "every": 0}
+BINDERS: dict[str, int] = {"sum": 0, "product": 0, "every": 0}
 """Place of the bound letter among the arguments, by operator."""
-BODIES = {"sum": 3, "every": 3}
+BODIES = {"sum": 3, "product": 3, "every": 3}
 """Place of the term in which the letter is bound; the first by default."""
 SPARE = 8
 """Terms of a series that quotients of singular terms may use up."""
@@ -47,11 +47,12 @@ def _seeded(field: SeriesField, value: Any, direction: Any) -> Any:
     return field.at(value, direction)
 
 
-def _coefficient(field: SeriesField, value: Any, power: int) -> Any:
+def coefficient(field: SeriesField, value: Any, power: int) -> Any:
+    """Return the coefficient of a power of the small parameter, of each number of a value."""
     if isinstance(value, Structure):
-        return value.map(lambda c: _coefficient(field, c, power))
+        return value.map(lambda c: coefficient(field, c, power))
     if isinstance(value, Dual):
-        return Dual(_coefficient(field, value.re, power), _coefficient(field, value.du, power))
+        return Dual(coefficient(field, value.re, power), coefficient(field, value.du, power))
     if isinstance(value, Series) and value.field is field:
         return value.upto(power + 1)[power]
     return value if power == 0 else 0 * value
@@ -64,7 +65,7 @@ def _expanded(env: Env, body: Term, letter: Term, at: Any, direction: Any, terms
         field = SeriesField(env.field, terms + SPARE)
         moved = _seeded(field, at, direction * sign)
         found = dataclasses.replace(env, field=field).bound(letter, moved).value(body)
-        return field, [_coefficient(field, found, k) * sign**k for k in range(terms)]
+        return field, [coefficient(field, found, k) * sign**k for k in range(terms)]
 
     field, found = along(1)
     if field.one_sided and not all(map(env.equal, found, along(-1)[1])):
@@ -73,11 +74,13 @@ def _expanded(env: Env, body: Term, letter: Term, at: Any, direction: Any, terms
 
 
 def _directions(at: Any) -> Iterator[Any]:
+    """Yield a direction for each component of a value; those of a matrix in the order of `vec`."""
     if not isinstance(at, Structure):
         yield 1
         return
     size = len(tuple(at))
-    for i in range(size):
+    columns = len(matrix.rows_of(at)[0]) if isinstance(at, matrix.Matrix | Tensor) else 1
+    for i in sorted(range(size), key=lambda i: i % columns):
         yield at.map(_marks(size, i))
 
 
@@ -125,11 +128,48 @@ def _group_inverse(g: Any) -> Any:
     return values.pose(back, -(back @ values.translation(g)))
 
 
+def _value_at(env: Env, body: Term, letter: Term, at: Term) -> Any:
+    return env.bound(letter, env.value(at)).value(body)
+
+
+SAMPLES = ((2, -3, 1, 3, -1, 2), (-1, 2, 3, -2, 1, -3))
+"""Values at which a formula must be the quadratic one that its values at units tell."""
+
+
+def _expectation(env: Env, body: Term, letter: Term, covariance: Term) -> Any:
+    """Return the mean of a formula of second degree in a letter with mean 0: its terms by those of the covariance."""
+    S = matrix.rows_of(matrix.exactly(env.value(covariance)))
+    size = range(len(S))
+    if not all(env.field.same(S[i][j], S[j][i]) for i in size for j in range(i)):
+        raise UndefinedError("a covariance that is not symmetric")
+
+    def at(components: Sequence[int]) -> Any:
+        return env.bound(letter, matrix.shaped([[Fraction(c)] for c in components])).value(body)
+
+    def unit(*marks: tuple[int, int]) -> Any:
+        return at([sum(sign for place, sign in marks if place == i) for i in size])
+
+    def total(*terms: tuple[Any, Any]) -> Any:
+        return reduce(values.add, (value * weight for value, weight in terms))
+
+    mean = unit()
+    ahead, back = ([unit((i, sign)) for i in size] for sign in (1, -1))
+    squares = [total((ahead[i], Fraction(1, 2)), (back[i], Fraction(1, 2)), (mean, -1)) for i in size]
+    pairs = {(i, j): total((unit((i, 1), (j, 1)), 1), (ahead[i], -1), (ahead[j], -1), (mean, 1))
+             for i in size for j in range(i)}  # fmt: skip
+    for c in (sample[: len(S)] for sample in SAMPLES):
+        odd = [(value, Fraction(sign * c[i], 2)) for i in size for value, sign in ((ahead[i], 1), (back[i], -1))]
+        even = [*((squares[i], c[i] ** 2) for i in size), *((pairs[i, j], c[i] * c[j]) for i, j in pairs)]
+        if not env.equal(at(c), total((mean, 1), *odd, *even)):
+            raise NotExactError("the expectation of a formula of higher degree than 2")
+    return total((mean, 1), *((squares[i], S[i][i]) for i in size), *((pairs[i, j], S[i][j]) for i, j in pairs))
+
+
 def _limit(env: Env, body: Term, letter: Term, at: Term) -> Any:
     if at == infinity:
         field = SeriesField(env.field, 2 + SPARE)
         found = dataclasses.replace(env, field=field).bound(letter, 1 / field.at(0, 1)).value(body)
-        return _coefficient(field, found, 0)
+        return coefficient(field, found, 0)
     return _expanded(env, body, letter, env.value(at), 1, 1)[0]
 
 
@@ -204,6 +244,9 @@ left_jacobian = _binding("left jacobian", r"J^{{l}}_{{{1}}}\left({0}\right)", "l
                          (LIST, ATOM, LIST), _of_group(True))
 right_jacobian = _binding("right jacobian", r"J^{{r}}_{{{1}}}\left({0}\right)", "right_jacobian({0}, {1})",
                           (LIST, ATOM, LIST), _of_group(False))
+value_at = _binding("value at", r"\left. {0} \right|_{{{1} = {2}}}", "at({0}, {1}, {2})", (SUM, ATOM, LIST), _value_at)
+expectation = _binding("expectation", r"\operatorname{{E}}_{{{1}}}\left[{0}\right]", "expectation({0}, {1}, {2})",
+                       (LIST, ATOM, LIST), _expectation)
 limit = _binding("limit at", r"\lim_{{{1} \to {2}}} {0}", "limit({0}, {1}, {2})", (PRODUCT, ATOM, LIST), _limit)
 taylor = _binding("series", r"\operatorname{{series}}_{{{1}}}^{{{3}}} {0}", "series({0}, {1}, {3})",
                   (PRODUCT, ATOM, LIST, LIST), _taylor)

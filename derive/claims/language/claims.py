@@ -3,69 +3,23 @@
 from __future__ import annotations
 
 import ast
-import difflib
-import re
 from collections.abc import Sequence
-from itertools import pairwise
-from typing import Any
 
-from . import matrices, names, operations, operator_table
-from .grammar import Grammar, source
-from .letters import LITERALS, integer
-from .names import Abbreviation, ClaimError, Kind, KindError, Scope, call, latex_of
-from .operations import CONSTANTS, OPERATIONS
-from .printed import Number, Symbol, Term
+from . import matrices, names, operations
+from .calculus import substituted
+from .expressions import POWER_MAX, Expressions, tree
+from .grammar import source
+from .letters import LITERALS, MEMBERS, integer
+from .names import Abbreviation, ClaimError, Kind, Scope, call, latex_of
+from .operations import OPERATIONS
+from .printed import Number, Symbol, Term, symbols
 
-POWER_MAX, NUMERAL_POWER_MAX = 64, 1000
-"""Largest power that is a written number."""
-COUNTED = ("sum", "all")
-"""Operations over an integer letter, which is their first argument."""
-RELATIONS: dict[type[ast.cmpop], Any] = {
-    ast.Eq: operator_table.equal, ast.NotEq: matrices.unlike, ast.Lt: matrices.less, ast.LtE: matrices.at_most,
-    ast.Gt: matrices.greater, ast.GtE: matrices.at_least,
-}
-JOINS: dict[type[ast.boolop], Any] = {ast.And: operator_table.both, ast.Or: matrices.either}
-SUMS: dict[type[ast.operator], str] = {ast.Add: "+", ast.Sub: "-"}
-HINTS = {"^": "a power is **", "@": "a product is *", "lambda": "", "=": "a relation is =="}
-
-
-def _parts(node: ast.expr) -> Sequence[ast.expr] | None:
-    match node:
-        case ast.Name() if not node.id.startswith("_"):
-            return ()
-        case ast.UnaryOp(op=ast.USub() | ast.UAdd() | ast.Not()):
-            return (node.operand,)
-        case ast.BinOp(op=ast.Add() | ast.Sub() | ast.Mult() | ast.Div() | ast.Pow()):
-            return node.left, node.right
-        case ast.BoolOp():
-            return node.values
-        case ast.Compare() if all(type(op) in RELATIONS for op in node.ops):
-            return node.left, *node.comparators
-        case ast.Call(func=ast.Name(id=name), keywords=[]) if not name.startswith("_"):
-            return node.args
-        case ast.List():
-            return node.elts
-    return None
-
-
-GRAMMAR = Grammar(
-    "a claim", "numbers, letters, + - * / **, == != < <= > >=, and, or, not, calls of operations and definitions",
-    _parts, ClaimError, characters_max=4000, parts_max=1500, depth_max=40,
-)  # fmt: skip
-
-
-def tree(text: str) -> ast.expr:
-    """Return the checked syntax tree of a text, which may have several lines."""
-    flat = re.sub(r"\s", " ", text)
-    if not flat.strip():
-        raise ClaimError("a claim is expected, got nothing", 1)
-    shift = len(flat) - len(flat.lstrip())
-    try:
-        return GRAMMAR.tree(flat.strip())
-    except ClaimError as error:
-        sign = re.search(r"\^|@|\blambda\b|(?<![=!<>])=(?!=)", flat)
-        hint = f" ({HINTS[sign[0]]})" if sign and HINTS[sign[0]] else ""
-        raise ClaimError(error.message + hint, error.column + shift) from None
+COUNTED, LOCAL = ("sum", "product", "all"), ("limit", "integral", "at", "expectation")
+"""Operations over an integer letter, which is their first argument, and others whose letter has no value outside."""
+FREE = ("real", "positive", "real angle", "real vector", "twist", "wrench")
+"""Quantities whose components vary freely."""
+AMBIENT = ("real unit vector", "rotation", "tensor 3x3", "real quaternion of a letter", "unit real quaternion")
+"""Quantities by whose components there is a derivative although they do not vary freely."""
 
 
 def statement(text: str, scope: Scope) -> Term:
@@ -77,124 +31,8 @@ def statement(text: str, scope: Scope) -> Term:
     return term
 
 
-class Reader:
-    """Reader of one text in a scope."""
-
-    def __init__(self, text: str, scope: Scope) -> None:
-        self.text, self.scope = re.sub(r"\s", " ", text), scope
-        self.shift = len(self.text) - len(self.text.lstrip())
-        self.text = self.text.strip()
-
-    def error(self, message: str, node: ast.expr) -> ClaimError:
-        return ClaimError(message, node.col_offset + 1 + self.shift)
-
-    def read(self, node: ast.expr) -> tuple[Term, Kind]:
-        """Return the term of a node that the grammar allows, and its kind."""
-        try:
-            return self._read(node)
-        except KindError as error:
-            place = error.place
-            at = node.args[place] if isinstance(node, ast.Call) and place is not None else node
-            raise self.error(str(error), at) from None
-
-    def _read(self, node: ast.expr) -> tuple[Term, Kind]:
-        match node:
-            case ast.Constant():
-                return self._number(node)
-            case ast.Name():
-                return self._name(node)
-            case ast.UnaryOp():
-                return self._signed(node)
-            case ast.BinOp(op=ast.Pow()):
-                return self._power(node)
-            case ast.BinOp():
-                return self._combined(node)
-            case ast.Compare():
-                return self._compared(node)
-            case ast.BoolOp():
-                parts = [self._relation(part) for part in node.values]
-                return JOINS[type(node.op)](*parts), "truth"
-            case ast.Call(func=ast.Name(id=name)):
-                return self._called(name, node)
-        raise self.error("a list stands in matrix([[…]]) or block([[…]]) only", node)
-
-    def _number(self, node: ast.Constant) -> tuple[Term, Kind]:
-        digits, exponent = GRAMMAR.decimal(node, self.text)
-        if exponent >= 0:
-            return Number(digits * 10**exponent), "integer"
-        return Number(digits) / Number(10**-exponent), "number"
-
-    def _name(self, node: ast.Name) -> tuple[Term, Kind]:
-        name = node.id
-        if name in self.scope.letters:
-            return self.scope.letters[name]
-        if name in CONSTANTS:
-            return CONSTANTS[name]
-        if name in self.scope.abbreviations:
-            return self._abbreviated(self.scope.abbreviations[name], node, [])
-        raise self.error(f"unknown letter {name!r}{self._near(name, (*self.scope.letters, *CONSTANTS))}", node)
-
-    def _near(self, name: str, known: Sequence[str]) -> str:
-        near = difflib.get_close_matches(name, (*known, *self.scope.abbreviations), n=3, cutoff=0.5)
-        return f" (nearest: {', '.join(near)})" if near else " (letters stand in [letters] or --let)"
-
-    def _relation(self, node: ast.expr) -> Term:
-        term, kind = self.read(node)
-        if kind != "truth":
-            raise self.error(f"a relation is expected, got {names.name(kind)}", node)
-        return term
-
-    def _signed(self, node: ast.UnaryOp) -> tuple[Term, Kind]:
-        if isinstance(node.op, ast.Not):
-            return operator_table.negated(self._relation(node.operand)), "truth"
-        term, kind = self.read(node.operand)
-        if kind == "truth":
-            raise self.error("a relation has no sign", node)
-        return (-term if isinstance(node.op, ast.USub) else term), kind
-
-    def _power(self, node: ast.BinOp) -> tuple[Term, Kind]:
-        (base, kind), (exponent, of) = self.read(node.left), self.read(node.right)
-        result = names.power_kind(kind, of)
-        written = integer(node.right)
-        if written is not None:
-            most = POWER_MAX if integer(node.left) is None else NUMERAL_POWER_MAX
-            if abs(written) > most:
-                raise self.error(f"powers are numbers up to {most}, got {written}", node.right)
-            exponent = Number(written)
-        elif isinstance(node.right, ast.BinOp) and isinstance(node.right.op, ast.Pow) and _constant(node.right):
-            raise self.error("a power of a power of numbers is too large", node.right)
-        return base**exponent, result
-
-    def _combined(self, node: ast.BinOp) -> tuple[Term, Kind]:
-        (a, left), (b, right) = self.read(node.left), self.read(node.right)
-        if "truth" in (left, right):
-            raise self.error("a relation is no number", node)
-        if isinstance(node.op, ast.Div):
-            kind = names.quotient_kind(left, right)
-            if isinstance(b, Number) and b.value == 0:
-                raise self.error("division by zero", node.right)
-            return a / b, kind
-        if isinstance(node.op, ast.Mult):
-            return a * b, names.product_kind(left, right)
-        kind = names.sum_kind(left, right, SUMS[type(node.op)])
-        return (a + b if isinstance(node.op, ast.Add) else a - b), kind
-
-    def _compared(self, node: ast.Compare) -> tuple[Term, Kind]:
-        nodes = (node.left, *node.comparators)
-        sides = [self.read(side) for side in nodes]
-        for op, (a, left), (b, right), at in zip(node.ops, sides, sides[1:], nodes[1:], strict=False):
-            ordered = not isinstance(op, ast.Eq | ast.NotEq)
-            try:
-                names.require_comparable(left, right, names.ZERO in (a, b), ordered)
-            except KindError as error:
-                raise self.error(str(error), at) from None
-        terms = [term for term, _ in sides]
-        if all(isinstance(op, ast.Eq) for op in node.ops):
-            return operator_table.equal(*terms), "truth"
-        found = [RELATIONS[type(op)](a, b) for op, (a, b) in zip(node.ops, pairwise(terms), strict=True)]
-        return (found[0] if len(found) == 1 else operator_table.both(*found)), "truth"
-
-    # ---- calls ------------------------------------------------------------------------------------------------------
+class Reader(Expressions):
+    """Reader of one text in a scope, with calls of operations and definitions."""
 
     def _called(self, name: str, node: ast.Call) -> tuple[Term, Kind]:
         if name in self.scope.abbreviations:
@@ -217,13 +55,8 @@ class Reader:
         found = [self.read(argument) for argument in given]
         kinds = tuple(kind for _, kind in found)
         if kinds not in called.known:
-            inner = Scope(
-                {**self.scope.letters, **{p: (s, k) for p, s, k in zip(called.parameters, called.symbols(), kinds,
-                                                                       strict=True)}},
-                self.scope.abbreviations, (*self.scope.open, called.name),
-            )  # fmt: skip
             try:
-                called.known[kinds] = Reader(called.text, inner).read(tree(called.text))
+                called.known[kinds] = Reader(called.text, self.scope.of(called, kinds)).read(tree(called.text))
             except ClaimError as error:
                 where = error.message if error.message.startswith("in definition") else (
                     f"in definition {called.head!r}, column {error.column}: {error.message}")
@@ -236,14 +69,13 @@ class Reader:
         if len(node.args) != count:
             raise self.error(f"{name} takes {count} arguments, got {len(node.args)}", node)
         letter = node.args[place]
-        if not isinstance(letter, ast.Name):
-            raise self.error(f"{name} varies a letter, got {source(letter, self.text)[:60]!r}", letter)
-        if name in (*COUNTED, "limit", "integral"):
+        if isinstance(letter, ast.Name) and name in (*COUNTED, *LOCAL):
             return self._local(name, node, letter.id, place)
-        at, kind = self.read(letter)
-        if not isinstance(at, Symbol) or letter.id not in self.scope.letters:
-            raise self.error(f"{name} varies a letter, got {letter.id!r}", letter)
-        if at.quantity.name.removeprefix("constant ") not in FREE and at.quantity.name != "index":
+        at, kind = self.read(letter) if isinstance(letter, ast.Name | ast.Subscript) else (None, "")
+        if not isinstance(at, Symbol) or name in (*COUNTED, *LOCAL):
+            raise self.error(f"{name} varies a letter, got {source(letter, self.text)[:60]!r}", letter)
+        free = (*FREE, *AMBIENT * (name == "jacobian"))
+        if at.quantity.name.removeprefix("constant ") not in free and at.quantity.name != "index":
             raise self.error(f"{name} varies a real number, vector or twist, not a {at.quantity.name}", letter)
         rest = [self.read(argument) for argument in node.args[2:]]
         if name == "series" and not 0 <= (integer(node.args[2]) or 0) <= POWER_MAX:
@@ -254,8 +86,9 @@ class Reader:
 
     def _local(self, name: str, node: ast.Call, letter: str, place: int) -> tuple[Term, Kind]:
         """Return the term of an operation whose letter is local, such as a sum or limit."""
-        kind = "integer" if name in COUNTED else "number"
-        symbol = Symbol(letter, "index", latex_of(letter), letter)
+        kind, given = self._kind_of_local(name, node, letter)
+        declared, of = self.scope.letters.get(letter, (None, kind))
+        symbol = Symbol(letter, "index", latex_of(letter) if declared is None else str(declared.args[2]), letter)
         inside = Reader(self.text, self.scope.with_letter(letter, symbol, kind))
         inside.shift = self.shift
         body = len(OPERATIONS[name].takes) - 1 if name in COUNTED else 0
@@ -263,11 +96,43 @@ class Reader:
             (symbol, kind) if i == place else (inside if i == body else self).read(argument)
             for i, argument in enumerate(node.args)
         ]
+        found = [*found[:-1], given] if given is not None else found
+        if declared is not None:  # definitions in the body may contain the letter
+            whole = names.expanded(found[body][0], self.scope.abbreviations)
+            if declared in symbols(whole):
+                if of != kind:
+                    raise self.error(f"definitions have {letter} as {names.name(of)}, here it is "
+                                     f"{names.name(kind)}", node)
+                found[body] = substituted(whole, {declared: symbol}), found[body][1]
         return operations.term(name, [term for term, _ in found], [kind for _, kind in found])
 
-FREE = ("real", "positive", "real angle", "real vector", "twist", "wrench")
-"""Quantities whose components vary freely."""
+    def _kind_of_local(self, name: str, node: ast.Call, letter: str) -> tuple[Kind, tuple[Term, Kind] | None]:
+        """Return the kind of a local letter, and its value if that is 0, the zero of its kind."""
+        if name not in ("at", "expectation"):
+            endless = name == "limit" and isinstance(node.args[2], ast.Name) and node.args[2].id == "infinity"
+            return ("integer" if name in COUNTED or endless else "number"), None
+        value, kind = self.read(node.args[2])
+        if name == "expectation":
+            return ((kind[0], 1) if isinstance(kind, tuple) else "number"), None
+        of = self.scope.known.get(letter, (None, kind))[1]
+        if value != names.ZERO or names.is_number(of):
+            return ("number" if names.is_number(kind) else kind), None
+        if not isinstance(of, tuple):
+            raise self.error(f"the value of {letter} is {names.name(of)}, got 0", node.args[2])
+        zeros: Term = matrices.zeros(*map(Number, of))
+        return of, (zeros, of)
 
-
-def _constant(node: ast.expr) -> bool:
-    return not any(isinstance(part, ast.Name) for part in ast.walk(node))
+    def _member(self, name: str, node: ast.Subscript) -> tuple[Term, Kind]:
+        """Return the term of a member of a family of letters, such as ``w[k]``."""
+        found = [self.scope.letters[member] for i in MEMBERS if (member := f"{name}[{i}]") in self.scope.letters]
+        if not found:
+            raise self.error(f"no family {name!r}: declare one such as \"{name}[k]\" = \"vector\"", node)
+        written = integer(node.slice)
+        if written is not None and written not in MEMBERS:
+            raise self.error(f"a member has an index from {MEMBERS[0]} to {MEMBERS[-1]}, got {written}", node.slice)
+        if written is not None:
+            return found[written]
+        index, kind = self.read(node.slice)
+        if kind != "integer":
+            raise self.error(f"an index is an integer, got {names.name(kind)}", node.slice)
+        return matrices.member(name, index, [member for member, _ in found]), found[0][1]

@@ -15,18 +15,15 @@ from .printed import Number, Symbol, Term, letters
 
 @dataclass(frozen=True)
 class Definition:
-    """Definition of a symbol that is not free; its value is ``function(env, *values of the arguments)``.
-
-    Printed formulas are checked against these definitions; their functions come from :mod:`derive.maps`.
-    """
+    """Definition of a symbol that is not free; its value is ``function(env)``, which depends on the arguments."""
 
     symbol: Symbol
-    function: Callable[..., Any]
+    function: Callable[[Env], Any]
     arguments: tuple[Symbol, ...]
 
 
-def let(symbol: Symbol, function: Callable[..., Any], *arguments: Symbol) -> Definition:
-    """Return the definition ``symbol := function(env, *arguments)``."""
+def let(symbol: Symbol, function: Callable[[Env], Any], *arguments: Symbol) -> Definition:
+    """Return the definition ``symbol := function(env)``, whose value depends on the arguments."""
     return Definition(symbol, function, arguments)
 
 
@@ -104,7 +101,7 @@ class Env:
 
     def _meaning(self, symbol: Symbol) -> Any:
         if definition := self.definitions.get(symbol):
-            return definition.function(self, *map(self.value, definition.arguments))
+            return definition.function(self)
         if symbol.quantity.value is not None:
             return symbol.quantity.value(self.field)
         raise KeyError(f"symbol {symbol.name!r} has no value")

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import ast
 import difflib
+import re
 from collections.abc import Callable
 from typing import Any, Protocol
 
 from ..numbers import kinds as rows
-from . import matrices
+from . import matrices, operator_table
 from .grammar import source
 from .names import POSE, TENSOR, TWIST, VECTOR, ClaimError, Kind, is_number, latex_of, name
 from .operations import CONSTANTS
@@ -19,6 +20,7 @@ LETTERS: dict[str, tuple[str, Kind, str]] = {
     "positive": ("positive", "number", "real number above 0"),
     "integer": ("integer", "integer", "integer of either sign"),
     "order": ("order", "integer", "order n = 1, 2, 3 …"),
+    "branch": ("branch", "integer", "branch k = 0, 1 … n − 1 of an order n"),
     "sign": ("sign", "number", "1 or −1, the same in the whole claim"),
     "angle": ("real angle", "number", "real number, with special values at multiples of π"),
     "vector": ("real vector", VECTOR, "vector of three real components"),
@@ -31,6 +33,7 @@ LETTERS: dict[str, tuple[str, Kind, str]] = {
     "twist": ("twist", TWIST, "column of 6, angular velocity first"),
     "wrench": ("wrench", TWIST, "column of 6, moment first"),
     "dual number": ("dual number", "number", "dual number"),
+    "invertible dual number": ("scale", "number", "dual number with a real part other than 0"),
     "dual angle": ("angle", "number", "dual number, with special values at multiples of π"),
     "dual vector": ("dual vector", VECTOR, "vector of three dual components"),
     "unit dual vector": ("unit vector", VECTOR, "dual vector of magnitude 1: a line"),
@@ -61,6 +64,19 @@ def letter(name: str, kind: str) -> tuple[Symbol, Kind]:
     stem, _, below = shown.partition("_")
     shown = SHAPES.get(of, "{}").format(stem) + (f"_{below}" if below else "")
     return Symbol(name, quantity, rf"\underline{{{shown}}}" if plain.count("dual") else shown, name), of
+
+
+MEMBERS = range(7)
+"""Indices of a family of letters: more than the orders at which claims are tried."""
+
+
+def letters(name: str, kind: str) -> dict[str, tuple[Symbol, Kind]]:
+    """Return the letters of a declaration by name: one, or for ``w[k]`` the members of a family."""
+    family = re.fullmatch(r"(\w+)\[[A-Za-z]\w*\]", name)
+    if family is None:
+        return {name: letter(name, kind)}
+    found = {f"{family[1]}[{i}]": letter(f"{family[1]}_{i}", kind) for i in MEMBERS}
+    return {name: (Symbol(name, *map(str, (*symbol.args[1:3], name))), of) for name, (symbol, of) in found.items()}
 
 
 SIZE_MAX = 12
@@ -160,7 +176,19 @@ def _zeros(reader: Reader, node: ast.Call) -> tuple[Term, Kind]:
     return matrices.zeros(Number(m), Number(n)), ("number" if (m, n) == (1, 1) else (m, n))
 
 
+def _cases(reader: Reader, node: ast.Call) -> tuple[Term, Kind]:
+    found = [reader.read(argument) for argument in node.args]
+    values = [kind for _, kind in found[::2]]
+    conditions = [kind for _, kind in found[1::2]]
+    if len(found) < 2 or "truth" in values or any(kind != "truth" for kind in conditions):
+        raise reader.error("cases takes values with relations, such as cases(a, x < 0, b)", node)
+    if len(set(values)) > 1 and not all(map(is_number, values)):
+        raise reader.error(f"the values of cases are of one kind, got {', '.join(map(name, values))}", node)
+    return operator_table.cases(*(term for term, _ in found)), values[0] if len(set(values)) == 1 else "number"
+
+
 LITERALS: dict[str, Callable[[Reader, ast.Call], tuple[Term, Kind]]] = {
     "matrix": _matrix, "block": _block, "entry": _entry, "identity": _identity, "zeros": _zeros,
+    "cases": _cases,
 }  # fmt: skip
 """Readers of literals by name."""

@@ -3,22 +3,23 @@
 from __future__ import annotations
 
 import operator
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from fractions import Fraction
 from typing import Any
 
 import flint
 
-from ...algebra import Quaternion, Structure, Tensor, Vector, first_principles, matrix
+from ...algebra import Quaternion, Structure, Tensor, Vector, matrix
 from ...algebra.element import NotExactError
 from ...algebra.first_principles import quaternion_exponential, tensor_by_sandwich, tensor_exponential
-from ...algebra.matrix import Matrix, exactly
+from ...algebra.matrix import Matrix
 from ...algebra.pose import distance as distance_of_lines
 from ...algebra.pose import distance_of_parallels
-from ..numbers.balls import Ball, arb
+from ..numbers.balls import Ball, BlurredError, arb
 from ..numbers.fields import UndefinedError, innermost
 from . import values
 from .environment import Env
+from .names import latex_of
 from .operator_table import define
 from .printed import ATOM, LIST, OPERATORS, POWER, PRODUCT, RELATION, SUM, Apply, OperatorRow, Term, Trait
 from .values import halves, pose, rotation, skew, translation, vect
@@ -69,6 +70,21 @@ _of_matrix = define("entry", "{0}_{{{1},{2}}}", "entry({0}, {1}, {2})", ATOM, (A
 def entry(a: Term, *indices: Term) -> Apply:
     """Return the term of an entry, by one index or two, counted from 1."""
     return (_component if len(indices) == 1 else _of_matrix)(a, *indices)
+
+
+def member(family: str, index: Term, members: Sequence[Term]) -> Apply:
+    """Return the term of a member of a family of letters, counted from 0."""
+    name = f"member of {family}"
+
+    def value(env: Env, index: Term, *members: Term) -> Any:
+        i = env.value(index)
+        if not (isinstance(i, int) and 0 <= i < len(members)):
+            raise BlurredError(f"no member {i} of {family}")
+        return env.value(members[i])
+
+    if name not in OPERATORS:
+        define(name, rf"{latex_of(family)}_{{{{{{0}}}}}}", f"{family}[{{0}}]", ATOM, (LIST,), value, lazy=True)
+    return Apply(name, index, *members)
 
 
 identity_of = define("identity matrix", "I_{{{0}}}", "identity({0})", ATOM, (LIST,),
@@ -265,28 +281,3 @@ def _distance(env: Env, a: Vector, b: Vector) -> Any:
 
 distance = define("distance", r"d\left({0}, {1}\right)", "distance({0}, {1})", ATOM, (LIST, LIST), _distance,
                   traits=Trait.APART)
-
-# ---- functions of CP23 ------------------------------------------------------------------------------------------
-
-
-def _cayley(env: Env, n: Any, v: Vector) -> Any:
-    """Return the rotation of order n: the action of ``(1 + v)ⁿ``, divided by its norm."""
-    q = env.field.power(Quaternion(1, v), n)
-    return first_principles.tensor_by_sandwich(q) * (1 / env.field.power(1 + v.dot(v), n))
-
-
-def _polynomial(which: int) -> Callable[[Env, Any, Any], Any]:
-    return lambda env, n, x: env.field.pair(n, x)[which]
-
-
-def _tangent(rotation: Callable[[Vector], Tensor], v: Vector) -> Tensor:
-    return first_principles.tangent(lambda w: rotation(exactly(w)), v)
-
-
-p = define("p", r"p_{{{0}}}\left({1}\right)", "p({0}, {1})", ATOM, (LIST, LIST), _polynomial(0))
-q = define("q", r"q_{{{0}}}\left({1}\right)", "q({0}, {1})", ATOM, (LIST, LIST), _polynomial(1))
-cay = define("cay", r"\operatorname{{cay}}_{{{0}}}\left({1}\right)", "cay({0}, {1})", ATOM, (LIST, LIST), _cayley)
-dcay = define("dcay", r"\operatorname{{dcay}}_{{{0}}}\left({1}\right)", "dcay({0}, {1})", ATOM, (LIST, LIST),
-              lambda env, n, v: _tangent(lambda w: _cayley(env, n, w), v))
-dexp = define("dexp", r"\operatorname{{dexp}}\left({0}\right)", "dexp({0})", ATOM, (LIST,),
-              lambda env, v: _tangent(lambda w: exp.value(env, Tensor.skew(w)), v), traits=Trait.TRANSCENDENTAL)

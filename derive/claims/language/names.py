@@ -8,19 +8,19 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from itertools import islice
 from typing import Any
 
 from . import operator_table
 from .calculus import substituted
-from .printed import ATOM, LIST, Apply, Number, Symbol, Term, Trait, macro, takes_apart, walk
+from .printed import ATOM, LIST, Apply, Number, Symbol, Term, Trait, macro, takes_apart, walk, with_trait
 
 Kind = str | tuple[int, int]
 VECTOR, TWIST, TENSOR, POSE = (3, 1), (6, 1), (3, 3), (4, 4)
 NUMBERS = ("integer", "number")
 NAMES: dict[Kind, str] = {VECTOR: "vector", TENSOR: "tensor (3x3)", TWIST: "column of 6", POSE: "4x4 matrix",
-                          "truth": "relation"}
+                          "truth": "relation", "infinity": "infinity"}
 
 
 class KindError(ValueError):
@@ -37,7 +37,7 @@ def name(kind: Kind) -> str:
 
 
 def article(words: str) -> str:
-    return f"{'an' if words[0] in 'aeiou8' else 'a'} {words}"
+    return words if words == "infinity" else f"{'an' if words[0] in 'aeiou8' else 'a'} {words}"
 
 
 def is_number(kind: Kind) -> bool:
@@ -56,7 +56,8 @@ TESTS: dict[str, Callable[[Kind], bool]] = {
     "matrix": lambda kind: isinstance(kind, tuple),
     "square matrix": lambda kind: isinstance(kind, tuple) and kind[0] == kind[1],
     "relation": lambda kind: kind == "truth",
-    "value": lambda kind: kind != "truth",
+    "infinity": lambda kind: kind == "infinity",
+    "value": lambda kind: kind not in ("truth", "infinity"),
 }
 """Words for what an operation takes."""
 
@@ -98,6 +99,8 @@ def power_kind(a: Kind, b: Kind) -> Kind:
         return a
     if a == "quaternion" and is_number(b):
         return a
+    if a == VECTOR and b == "integer":
+        raise KindError("a vector ** an integer has no meaning: write norm(v)**2 or dot(v, v), of a quaternion q*q")
     raise KindError(f"{name(a)} ** {name(b)} has no meaning")
 
 
@@ -162,14 +165,28 @@ class Abbreviation:
 
 @dataclass(frozen=True)
 class Scope:
-    """Names that a claim may use: letters with symbols and kinds, and abbreviations."""
+    """Names that a claim may use: letters with symbols and kinds, and abbreviations.
+
+    `local` letters, such as the index of a sum or the parameter of an abbreviation, stand before declared `letters`.
+    Another abbreviation does not know them.
+    """
 
     letters: Mapping[str, tuple[Symbol, Kind]]
     abbreviations: Mapping[str, Abbreviation] = field(default_factory=dict)
     open: tuple[str, ...] = ()  # abbreviations that are being read
+    local: Mapping[str, tuple[Symbol, Kind]] = field(default_factory=dict)
 
     def with_letter(self, name: str, symbol: Symbol, kind: Kind) -> Scope:
-        return Scope({**self.letters, name: (symbol, kind)}, self.abbreviations, self.open)
+        return replace(self, local={**self.local, name: (symbol, kind)})
+
+    def of(self, called: Abbreviation, kinds: Sequence[Kind]) -> Scope:
+        """Return the scope of the text of an abbreviation, whose parameters have these kinds."""
+        given = dict(zip(called.parameters, zip(called.symbols(), kinds, strict=True), strict=True))
+        return replace(self, open=(*self.open, called.name), local=given)
+
+    @property
+    def known(self) -> Mapping[str, tuple[Symbol, Kind]]:
+        return {**self.letters, **self.local}
 
 
 def expanded(term: Term, abbreviations: Mapping[str, Abbreviation]) -> Term:
@@ -214,14 +231,14 @@ CALLS: dict[str, tuple[Kind, ...]] = {}
 def call(abbreviation: Abbreviation, arguments: Sequence[Term], kinds: tuple[Kind, ...]) -> Term:
     """Return the term of a call: one operator for each list of kinds, since the meaning follows from them."""
     printed = abbreviation.latex if "#" in abbreviation.latex else ""
-    relation = abbreviation.known[kinds][1] == "truth"
-    name = f"{CALL}{'; '.join(map(str, kinds))}{' relation' * relation}{printed}"
+    delicate = bool(with_trait(Trait.DELICATE, abbreviation.known[kinds][0]))
+    name = f"{CALL}{'; '.join(map(str, kinds))}{' delicate' * delicate}{printed}"
     if name not in CALLS:
         places = ", ".join(f"{{{i}}}" for i in range(1, len(kinds) + 1))
         shown = (rf"{{0}}\left({places}\right)", f"{{0}}({places})") if kinds else ("{0}", "{0}")
         if printed:
             shown = macro(printed, 1), shown[1]
-        traits = Trait.DELICATE if relation else Trait.NONE
+        traits = Trait.DELICATE if delicate else Trait.NONE
         operator_table.define(name, *shown, ATOM, (LIST,), _called, traits=traits)
         CALLS[name] = kinds
     return Apply(name, abbreviation.symbol(kinds), *arguments)

@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from . import calculus, matrices, operator_table
+from . import calculus, matrices, operator_table, powers
 from .calculus import BINDERS
 from .names import POSE, TENSOR, TESTS, TWIST, VECTOR, Kind, KindError, article, is_number, name
 from .printed import Number, Symbol, Term, text
@@ -87,7 +87,7 @@ def _skew(kind: Kind) -> Kind:
 
 
 def _size(kind: Any) -> int:
-    return 1 if is_number(kind) else 4 if kind == "quaternion" else kind[0]
+    return 1 if is_number(kind) else 4 if kind == "quaternion" else kind[0] * kind[1]
 
 
 def _jacobian(f: Any, letter: Any, *rest: Kind) -> Kind:
@@ -164,19 +164,29 @@ OPERATIONS: dict[str, Operation] = {
     "pose_of": Operation(("tensor", "vector"), POSE, matrices.pose_of, "4x4 matrix of rotation and translation",
                          "pose_of(R, p)"),
     "rate": Operation(("value",), same, t.rate, "time derivative; of a constant letter 0", "rate(v)"),
-    "jacobian": Operation(("value", "column"), _jacobian, calculus.jacobian,
-                          "derivative by the components of a letter", "jacobian(norm(v), v)", binds=True),
+    "jacobian": Operation(("value", "column or quaternion or tensor"), _jacobian, calculus.jacobian,
+                          "derivative by the components of a letter, all of them free: of a quaternion 4, of a tensor "
+                          "9 in the order of vec", "jacobian(norm(v), v)", binds=True),
     "left_jacobian": Operation(("tensor or pose", "column"), _group_jacobian, calculus.left_jacobian,
                                "J with ω = J v̇ in the space frame, of a rotation (3 rows) or pose (6 rows)",
                                "left_jacobian(exp(skew(v)), v)", binds=True),
     "right_jacobian": Operation(("tensor or pose", "column"), _group_jacobian, calculus.right_jacobian,
                                 "the same in the body frame", "right_jacobian(exp(skew(v)), v)", binds=True),
-    "sum": Operation(("integer", "integer", "integer", "value"), lambda k, a, b, term: term, t.summation,
+    "sum": Operation(("integer", "integer", "integer or infinity", "value"), lambda k, a, b, term: term, t.summation,
                      "sum over an integer letter", "sum(k, 0, n, x**k)", binds=True),
+    "product": Operation(("integer", "integer", "integer", "value"), lambda k, a, b, term: term, t.product,
+                         "product over an integer letter, the first factor on the left", "product(k, 1, n, x + k)",
+                         binds=True),
     "all": Operation(("integer", "integer", "integer", "relation"), "truth", t.every,
                      "relation for every value of an integer letter", "all(k, 1, 3, entry(cross(v, v), k) == 0)",
                      binds=True),
-    "limit": Operation(("value", "number", "number"), same, calculus.limit, "limit from both sides",
+    "at": Operation(("value", "value", "value"), same, calculus.value_at,
+                    "value where a letter has this value; 0 is the zero of its kind", "at(exp(skew(v)), v, 0)",
+                    binds=True),
+    "expectation": Operation(("value", "column", "number or square matrix"), same, calculus.expectation,
+                             "mean of a formula of second degree in a letter with mean 0 and this covariance",
+                             "expectation((a*x)**2, x, b)", binds=True),
+    "limit": Operation(("value", "number", "number or infinity"), same, calculus.limit, "limit from both sides",
                        "limit(sin(x)/x, x, 0)", binds=True),
     "integral": Operation(("value", "number", "number", "number"), same, calculus.integral, "integral over a letter",
                           "integral(cos(t), t, 0, a)", binds=True),
@@ -186,18 +196,19 @@ OPERATIONS: dict[str, Operation] = {
     "binomial": Operation(("integer", "integer"), "integer", t.binomial, "binomial coefficient", "binomial(n, k)"),
     "factorial": Operation(("integer",), "integer", t.factorial, "factorial", "factorial(k)"),
     "floor": Operation(("number",), "integer", matrices.floor, "largest integer below", "floor(n/2)"),
-    "p": Operation(("integer", "number"), "number", matrices.p, "polynomial p_n of CP23", "p(n, x)"),
-    "q": Operation(("integer", "number"), "number", matrices.q, "polynomial q_n of CP23", "q(n, x)"),
-    "cay": Operation(("integer", "vector"), TENSOR, matrices.cay, "rotation of tan(α/2n) u", "cay(n, v)"),
-    "dcay": Operation(("integer", "vector"), TENSOR, matrices.dcay, "tangent operator of cay", "dcay(n, v)"),
-    "dexp": Operation(("vector",), TENSOR, matrices.dexp, "tangent operator of exp(skew(v))", "dexp(v)"),
+    "p": Operation(("integer", "number"), "number", powers.p, "polynomial p_n of CP23 of x = |v|²", "p(n, x)"),
+    "q": Operation(("integer", "number"), "number", powers.q, "polynomial q_n of CP23 of x = |v|²", "q(n, x)"),
+    "cay": Operation(("integer", "vector"), TENSOR, powers.cay, "rotation of tan(α/2n) u", "cay(n, v)"),
+    "dcay": Operation(("integer", "vector"), TENSOR, powers.dcay, "tangent operator of cay", "dcay(n, v)"),
+    "dexp": Operation(("vector",), TENSOR, powers.dexp, "tangent operator of exp(skew(v))", "dexp(v)"),
     "implies": Operation(("relation", "relation"), "truth", t.implies, "the second where the first is true",
                          "implies(x > 0, sqrt(x**2) == x)"),
 }
 """Operations by name. `matrix`, `block`, `entry`, `identity` and `zeros` take literals; `claims` has their rules."""
 
 CONSTANTS: dict[str, tuple[Symbol, Kind]] = {
-    "I": (t.identity, TENSOR), "pi": (t.pi, "number"), "eps": (t.epsilon, "number"), "infinity": (t.infinity, "number"),
+    "I": (t.identity, TENSOR), "pi": (t.pi, "number"), "eps": (t.epsilon, "number"),
+    "infinity": (t.infinity, "infinity"),
 }
 
 
@@ -223,7 +234,7 @@ INFIX: dict[str, tuple[str, int, int, int]] = {
 """Sign, strength of the result, and least strengths of the left and right operand."""
 
 PREFIX = {"negative": ("-", PRODUCT, POWER), "negated": ("not ", NOT, NOT), "nonzero": ("{} != 0", RELATION, SUM)}
-LOCAL = ("limit at", "integral")
+LOCAL = ("limit at", "integral", "value at", "expectation")
 """Operators whose letter has no value outside."""
 NAMES = {symbol: name for name, (symbol, _) in CONSTANTS.items()}
 CALLS = {row.operator or name: name for name, row in OPERATIONS.items()} | {"entry of column": "entry", "bracket": ""}

@@ -42,7 +42,7 @@ class OperatorRow:
 
     name: str
     latex: str  # template with ``{0}``, ``{1}`` …; for a list of any length, only the separator
-    text: str  # template of the characters in the extracted text
+    text: str  # template of plain characters
     level: int  # binding strength of the result
     slots: tuple[int, ...]  # least level of each argument without brackets; the last slot serves all further arguments
     value: Callable[..., Any]  # function ``value(env, *arguments)`` of values, or of terms if `lazy`
@@ -75,9 +75,6 @@ class Term(Basic):  # type: ignore[misc]  # SymPy is untyped
     @property
     def arguments(self) -> tuple[Term, ...]:
         return ()
-
-    def __call__(self, argument: Any) -> Term:
-        return Apply("at", self, argument)
 
     def _latex(self, printer: object) -> str:
         return latex(self)

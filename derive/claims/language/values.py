@@ -6,98 +6,25 @@ papers. A tensor to the left of a vector or tensor acts on it.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+from collections.abc import Iterator
 from fractions import Fraction
 from typing import Any
 
 from ...algebra import Dual, Quaternion, Structure, Tensor, Vector, matrix, structures
-from ...algebra.pose import Pose
 from ...algebra.structures import quaternion as quaternion
 from ..numbers.fields import Field
 
-
-@dataclass(frozen=True)
-class Either:
-    """Pair of values denoted by ±; `map` applies a function to both."""
-
-    first: Any
-    second: Any
-
-    def map(self, f: Callable[[Any], Any]) -> Either:
-        return Either(f(self.first), f(self.second))
-
-
-@dataclass(frozen=True)
-class Solution:
-    """Condition in place of a value: `equal` is true for every value that satisfies the condition."""
-
-    test: Callable[[Any], bool]
-
-    def __neg__(self) -> Solution:
-        return Solution(lambda value: self.test(negative(value)))
-
-
-class MissedError(ArithmeticError):
-    """Error for an element without a preimage."""
-
-
-@dataclass(frozen=True)
-class Map:
-    """Map with its preimages, for claims such as "onto" and "n branches".
-
-    `image` maps a point to its value. `preimages` maps a value to the list of its preimages; without one, the list is
-    empty or `MissedError` is raised.
-    """
-
-    image: Callable[[Any], Any]
-    preimages: Callable[[Any], list[Any]]
-
-    def reaches(self, field: Field, target: Any) -> int:
-        """Return the number of distinct preimages of a target; for ±, of the first value that has a preimage."""
-        if isinstance(target, Either):
-            return self.reaches(field, target.first) or self.reaches(field, target.second)
-        try:
-            candidates = self.preimages(target)
-        except MissedError:
-            return 0
-        found: list[Any] = []
-        for v in candidates:
-            if equal(field, self.image(v), target) and not any(equal(field, v, w) for w in found):
-                found.append(v)
-        return len(found)
-
-
-def _of_either(f: Callable[[Any, Any], Any]) -> Callable[[Any, Any], Any]:
-    """Lift a binary function: apply it to both values of an operand of type `Either`."""
-
-    def lifted(a: Any, b: Any) -> Any:
-        if isinstance(a, Either):
-            return a.map(lambda value: lifted(value, b))
-        return b.map(lambda value: lifted(a, value)) if isinstance(b, Either) else f(a, b)
-
-    return lifted
-
-
-add = _of_either(structures.add)
+add = structures.add
 """Sum; a number plus a vector is a quaternion."""
 
 
-def negative(a: Any) -> Any:
-    return a.map(negative) if isinstance(a, Either) else -a
-
-
-@_of_either
 def multiply(a: Any, b: Any) -> Any:
     """Return the product of two factors printed side by side."""
-    if isinstance(a, Pose) and isinstance(b, Pose):
-        return a @ b
     if isinstance(a, Structure) and isinstance(b, Structure) and matrix.Matrix in (type(a), type(b)):
         return matrix.product(a, b)
     return structures.multiply(a, b)
 
 
-@_of_either
 def divide(a: Any, b: Any) -> Any:
     """Return the quotient; division by a quaternion multiplies by its inverse on the right."""
     if isinstance(b, int):
@@ -183,13 +110,7 @@ def vect(a: Any) -> Any:
 
 
 def equal(field: Field, a: Any, b: Any) -> bool:
-    """Return whether two values are equal, component by component; ± matches with either sign."""
-    if isinstance(b, Solution) or (isinstance(b, Either) and not isinstance(a, Either)):
-        a, b = b, a
-    if isinstance(a, Either):
-        return equal(field, a.first, b) or equal(field, a.second, b)
-    if isinstance(a, Solution):
-        return a.test(b.first) or a.test(b.second) if isinstance(b, Either) else a.test(b)
+    """Return whether two values are equal, component by component."""
     if isinstance(a, Structure) and isinstance(b, int) and b == 0:
         b = 0 * a
     if type(a) is not type(b) and (isinstance(a, Structure) or isinstance(b, Structure)):
@@ -198,7 +119,7 @@ def equal(field: Field, a: Any, b: Any) -> bool:
 
 
 def coefficients(a: Any) -> Iterator[Any]:
-    """Yield the plain numbers of a value, all real parts before the dual parts; for ±, use the first value."""
+    """Yield the plain numbers of a value, all real parts before the dual parts."""
     if isinstance(a, Structure) and any(isinstance(component, Dual) for component in a):
         yield from (number for part in (re, du) for number in coefficients(a.map(part)))
         return
@@ -210,12 +131,8 @@ def coefficients(a: Any) -> Iterator[Any]:
 
 
 def _parts(a: Any) -> tuple[Any, ...]:
-    if isinstance(a, Pose):
-        return a.rotation, a.displacement
     if isinstance(a, Structure):
         return tuple(a)
-    if isinstance(a, Either):
-        return (a.first,)
     return (a.re, a.du) if isinstance(a, Dual) else ()
 
 

@@ -178,6 +178,15 @@ class Balls(Field):
     def vanishes(self, a: Any) -> bool:
         return self._contains_zero(arb(a), 1)
 
+    def is_null(self, a: Any) -> bool:
+        """Return whether a number is exactly 0; raise BlurredError if it has a ball around 0."""
+        if isinstance(a, Dual):
+            return self.is_null(a.re) and self.is_null(a.du)
+        ball = arb(a)
+        if ball.contains(0) and not ball.is_exact():
+            raise BlurredError
+        return bool(ball.contains(0))
+
     def negligible(self, a: Any) -> bool:
         return bool(abs(arb(a)) < flint.arb(2) ** -(flint.ctx.prec + SPARE))
 

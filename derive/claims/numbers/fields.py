@@ -11,7 +11,7 @@ from fractions import Fraction
 from operator import matmul, mul
 from typing import Any
 
-from ...algebra import Dual, Quaternion, Structure, Tensor, Vector, real_part
+from ...algebra import Dual, Quaternion, Structure, Tensor, Vector, ZeroDivisorError, real_part
 from ...algebra.arithmetic import pair
 from ...algebra.element import Element, NotExactError
 from ...algebra.exact import AngleField
@@ -38,7 +38,18 @@ class Field(Elementary):
 
     def sqrt(self, a: Any) -> Any:
         """Return the square root; raise for a zero divisor other than 0."""
-        return a if isinstance(a, Dual) and a == 0 else super().sqrt(a)
+        if not isinstance(a, Dual):
+            return super().sqrt(a)
+        if self.is_null(a.re):
+            if self.is_null(a.du):
+                return a
+            raise ZeroDivisorError(f"the square root of {a!r}")
+        root = self.sqrt(a.re)
+        return Dual(root, a.du / (2 * root))
+
+    def is_null(self, a: Any) -> bool:
+        """Return whether a number is certainly 0, with its dual part and rates."""
+        return bool(a == 0)
 
     def atan(self, a: Any) -> Any:
         return self.atan2(a, 1)
@@ -53,10 +64,8 @@ class Field(Elementary):
     def magnitude(self, v: Vector) -> Any:
         """Return the magnitude of a vector; ``ε |a°|`` for a dual vector ``ε a°``."""
         square = v.dot(v)
-        if isinstance(square, Dual):
-            zero = square.re == 0 if isinstance(square.re, Dual) else self.vanishes(square.re)
-            if zero:
-                return Dual(0 * square.re, self.magnitude(v.du))
+        if isinstance(square, Dual) and self.is_null(square.re):
+            return Dual(0 * square.re, self.magnitude(v.du))
         return self.sqrt(square)
 
     def power(self, base: Any, exponent: Any) -> Any:

@@ -20,19 +20,16 @@ from itertools import combinations
 from math import prod
 from typing import Any
 
-import sympy
-
 from ...algebra.element import Element, NotExactError
 from .fields import Field
 from .generic import Ideal
-from .signed import Bound, Signed, turns_to_principal, vanishing_at
+from .intervals import INTERVALS, Monomial, interval
+from .signed import Bound, Signed, turns_to_principal
 
 POOLS = {"tangent": 7, "exponential": 2, "root": 4, "logarithm": 4, "angle": 4, "turn": 3}
 """Number of generators of the exact field that are given a meaning when a formula needs one; a turn is an integer."""
 ROOTS_MAX = 5
 """Largest number of roots of unknown sign."""
-Monomial = tuple[tuple[str, int], ...]
-"""Generators with their exponents."""
 
 
 class Generators(Field):
@@ -50,7 +47,7 @@ class Generators(Field):
         signs: Sequence[int] = (), closed: Collection[str] = (),
     ) -> None:  # fmt: skip
         self.names, self.given, self.steps, self.signs = tuple(names), dict(ranges), steps, list(signs)
-        self.closed = closed
+        self.closed, self.limits = closed, set[str]()
         self.integers = {*integers, *self.pool("turn")}
         self.roots: list[Any] = []  # roots of unknown sign, up to this sign
         self.meanings: dict[tuple[str, Monomial], str] = {}  # generators of tangents and exponentials
@@ -65,7 +62,10 @@ class Generators(Field):
     def ring(self) -> Any:
         """Ring of all generators; roots come first, since a relation eliminates its first generator."""
         first, *others = map(self.pool, ("root", "turn", "angle", "logarithm", "tangent", "exponential"))
-        return Signed([*first, *self.names, "pi", *(name for pool in others for name in pool)], self.given, self.closed)
+        names = [*first, *self.names, "pi", *(name for pool in others for name in pool)]
+        found = Signed(names, self.given, self.closed)
+        found.limits |= self.limits
+        return found
 
     def pool(self, what: str) -> list[str]:
         """Return the generators for a tangent, an exponential, a root, a logarithm, an angle or a number of turns."""
@@ -90,6 +90,18 @@ class Generators(Field):
                 raise NotExactError("an angle or exponent that contains a sine or an exponential")
             yield monomial, c
 
+    @property
+    def meaning(self) -> dict[str, tuple[str, Any]]:
+        """What each generator stands for, and of which number, monomial or point (y, x)."""
+        found = {name: (what, self.product(monomial)) for (what, monomial), name in self.meanings.items()}
+        rows = (("root", self.extensions), ("logarithm", self.logarithms), ("angle", self.angles))
+        return {str(name): (what, known) for what, pairs in rows for known, name in pairs} | found
+
+    def used(self, a: Any) -> set[str]:
+        """Return the generators in a number."""
+        degrees = (part.degrees() for part in (a.numerator, a.denominator))
+        return {name for row in degrees for name, degree in zip(self.ring.names, row, strict=True) if degree}
+
     def is_positive(self, a: Any) -> bool:
         """Return whether a number that is not 0 is proved to be positive, or not negative by an assumption."""
         for known in (self.element(1), *filter(None, self.assumed)):
@@ -106,25 +118,19 @@ class Generators(Field):
         """Return the root of a number that is no square: by the root of another one, or with a generator."""
         for count in range(1, len(self.extensions) + 1):
             for some in combinations(self.extensions, count):
-                if (found := self.root(prod((other for other, _ in some), start=a))) is not None:
-                    return self.chosen(found / prod(self.symbol(name) for _, name in some))
+                squares = prod((other for other, _ in some), start=self.element(1))
+                if (found := self.root(squares * a)) is not None:
+                    return self.chosen(found / squares * prod(self.symbol(name) for _, name in some))
         name, square = self._next("root"), a.numerator * a.denominator
         generator = self.symbol(name)
         self.ring.relations.append(generator.numerator**2 - square)
-        if not all(self.ring.definite(factor, strict=True) for factor in self.ring.factors(a)):
-            self.ring.closed.add(name)  # it may be 0
-        self.ring.restrict(name, sympy.Integer(0), sympy.oo)
+        self.restrict("root", name, self.ring.fraction(square, self.ring.library.one))
         self.extensions.append((self.ring.fraction(square, self.ring.library.one), name))
         return self.chosen(self.ring.fraction(generator.numerator, a.denominator))
 
-    def restrict_tangent(self, name: str, monomial: Monomial) -> None:
-        """Set the interval of a tangent by that of its angle."""
-        low, high = self._interval(monomial)
-        if max(abs(low), abs(high)) < self.steps * sympy.pi:
-            ends = [vanishing_at(end, self.steps) for end in (low, high) if end]
-            known = [end for end in ends if end is not None]
-            self.ring.closed |= {name} if monomial[0][0] in self.closed else set()
-            self.ring.restrict(name, *(sympy.tan(end / (2 * self.steps)) for end in (low, high)), known)
+    def restrict(self, what: str, name: str, known: Any) -> None:
+        """Set the interval of a generator by what it stands for."""
+        INTERVALS[what](self, name, known)
 
     # ---- roots -------------------------------------------------------------------------------------------------------
 
@@ -212,15 +218,8 @@ class Generators(Field):
         if (what, monomial) not in self.meanings:
             name = self._next(what)
             self.meanings[what, monomial] = name
-            if what == "tangent":
-                self.restrict_tangent(name, monomial)
-            else:
-                self.restrict_exponential(name)
+            self.restrict(what, name, monomial)
         return self.meanings[what, monomial]
-
-    def restrict_exponential(self, name: str) -> None:
-        """Note that an exponential is positive."""
-        self.ring.restrict(name, sympy.Integer(0), sympy.oo)
 
     def _next(self, what: str) -> str:
         """Return the next generator of a pool."""
@@ -239,7 +238,7 @@ class Generators(Field):
     def _log_of(self, a: Any) -> Any:
         for (what, monomial), name in self.meanings.items():
             if what == "exponential" and a == self.symbol(name):
-                return self._product(monomial)
+                return self.product(monomial)
         for known, found in self.logarithms:
             if a == known:
                 return found
@@ -261,13 +260,6 @@ class Generators(Field):
 
     # ---- inverse functions -------------------------------------------------------------------------------------------
 
-    def _interval(self, monomial: Monomial) -> tuple[Bound, Bound]:
-        """Return the interval of a monomial: that of a name, else all numbers."""
-        (name, power), *rest = monomial
-        if rest or power != 1:
-            return -sympy.oo, sympy.oo
-        return self.given.get(name, (-sympy.oo, sympy.oo))
-
     def _atan2(self, y: Any, x: Any) -> Any:
         """Return the angle of a point as a multiple of a known one, up to turns if its range is unknown."""
         y, x = self.element(y), self.element(x)
@@ -278,7 +270,9 @@ class Generators(Field):
                 return angle
         angle = self._known_angle(y, x)
         if angle is None:
-            angle = self.symbol(self._next("angle"))
+            name = self._next("angle")
+            angle = self.symbol(name)
+            self.restrict("angle", name, y)
         self.angles.append(((y, x), angle))
         return angle
 
@@ -289,16 +283,16 @@ class Generators(Field):
     def _known_angle(self, y: Any, x: Any) -> Any:
         """Return the angle of a point as k/steps of a monomial, plus turns if its range does not tell; else None."""
         for monomial in [monomial for what, monomial in self.meanings if what == "tangent"]:
-            angle = self._product(monomial)
+            angle = self.product(monomial)
             for k in (k for k in range(-2 * self.steps, 2 * self.steps + 1) if k):
                 c, s = self._of_monomial(monomial, Fraction(k, self.steps))
                 if self._along(y, x, s, c):
-                    turns = turns_to_principal(Fraction(k, self.steps), *self._interval(monomial))
+                    turns = turns_to_principal(Fraction(k, self.steps), *interval(self, monomial))
                     turned = 2 * self.pi * (self.symbol(self._next("turn")) if turns is None else turns)
                     return angle * Fraction(k, self.steps) + turned
         return None
 
-    def _product(self, monomial: Monomial) -> Any:
+    def product(self, monomial: Monomial) -> Any:
         return prod((self.symbol(name) ** power for name, power in monomial), start=self.element(1))
 
     def _asin(self, a: Any) -> Any:

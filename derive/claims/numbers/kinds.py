@@ -10,8 +10,6 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from enum import Enum, auto
 from fractions import Fraction
-from functools import reduce
-from math import factorial
 from typing import Any
 
 from ...algebra import Dual, Quaternion, Tensor, Vector
@@ -34,7 +32,7 @@ class Kind:
     special: Callable[[Any], Mapping[str, Numbers]] = lambda pi: {}  # coordinates by label
     dual: bool = False
     constant: bool = False  # whether rates are 0
-    forward: bool = False  # whether values of either sign are special, as in the two papers
+    invertible: bool = False  # whether the value 0 is left out
     still: bool = False  # whether coordinates have neither rates nor dual parts
     projective: bool = False
     spread: str = ""  # "positive" or "integer" coordinates
@@ -46,27 +44,6 @@ class Kind:
 def jet(value: Any, rates: Sequence[Any]) -> Any:
     """Return a number with its rates: of first order as one dual number, of second order as nested dual numbers."""
     return Dual(jet(value, rates[:-1]), jet(rates[0], rates[1:])) if rates else value
-
-
-@dataclass(frozen=True)
-class Smooth:
-    """Differentiable function of plain or dual numbers, with its derivative at plain numbers."""
-
-    value: Callable[[Any], Any]
-    derivative: Callable[[Any], Any]
-
-    def __call__(self, a: Any) -> Any:
-        return self.value(a)
-
-
-def polynomial(coefficients: Sequence[Any]) -> Smooth:
-    """Return the polynomial with coefficients in ascending order."""
-
-    def horner(numbers: Sequence[Any], a: Any) -> Any:
-        return reduce(lambda total, c: total * a + c, reversed(numbers), 0)
-
-    slopes = [k * c for k, c in enumerate(coefficients)][1:]
-    return Smooth(lambda a: horner(coefficients, a), lambda a: horner(slopes, a))
 
 
 def sphere(c: Numbers) -> Vector:
@@ -142,7 +119,7 @@ def _opposite(c: Numbers) -> Numbers:
 
 
 _scalar = Kind(1, lambda c: c[0], _numbers)
-_angle = replace(_scalar, special=_angles, forward=True)
+_angle = replace(_scalar, special=_angles)
 _vector = Kind(3, lambda c: Vector(*c), _vectors)
 _unit = Kind(3, sphere, _axes, projective=True, free="real vector", needs="norm({0}) == 1", antipode=_opposite)
 _tensor = Kind(9, Tensor.from_entries, _tensors)
@@ -166,10 +143,7 @@ KINDS: dict[str, Kind] = {
     "tensor": replace(_tensor, dual=True), "quaternion": replace(_quaternion, dual=True),
     "orthogonal tensor": replace(_rotation, dual=True, free="tensor"),
     "unit quaternion": replace(_versor, dual=True, free="quaternion", needs="{0}*conjugate({0}) == 1"),
-    "argument": replace(_scalar, dual=True),
-    "scale": replace(_scalar, special=_rational(minus_one=(-1,)), dual=True, forward=True),
-    "smooth function": Kind(5, polynomial, lambda pi: {"exponential": [Fraction(1, factorial(k)) for k in range(70)]},
-                            still=True),
+    "scale": replace(_scalar, special=_rational(minus_one=(-1,)), dual=True, invertible=True),
 }  # fmt: skip
 """Kinds by the name of a quantity."""
 KINDS |= {f"constant {name}": replace(kind, constant=True) for name, kind in KINDS.items() if not kind.still}
@@ -223,17 +197,13 @@ ORDER = Quantity("order")
 """Order n, at the requested orders or at all orders at once."""
 BRANCH = Quantity("branch")
 """Branch k = 0, 1 … n − 1."""
-PROPOSITION = Quantity("proposition", apart=True)
-"""Claim in words."""
 SIGN = Quantity("sign")
 """Sign ±, equal on both sides of an equation."""
 
 FRAMED: dict[str, tuple[Role | None, Value]] = {
     "real angle": (Role.ANGLE, lambda g, name: g.real(g.angle(name))),
     "angle": (Role.ANGLE, lambda g, name: g.angle(name)),
-    "argument": (None, lambda g, name: g.number(name, at=g.every and g.every.X)),
     "scale": (None, lambda g, name: g.number(name, at=g.every and g.every.scale)),
-    "smooth function": (None, lambda g, name: polynomial([g.real(g.number(name, i)) for i in range(4)])),
     "real vector": (Role.VECTOR, lambda g, name: g.vector(name).map(g.real)),
     "dual vector": (Role.VECTOR, lambda g, name: g.vector(name)),
     "unit vector": (None, lambda g, name: g.unit(name)),
@@ -244,26 +214,18 @@ FRAMED: dict[str, tuple[Role | None, Value]] = {
 }
 """Roles and generic values in a frame, or with exact sines; values of other kinds are built from generic numbers."""
 
-NOT_APART = ("smooth function", "rotation")
-"""Real quantities of statements that hold for dual numbers too."""
-
-
 def _row(name: str, kind: Kind) -> Quantity:
     """Return the row of a kind; a constant one that is no angle is built without a frame."""
     plain, built = name.removeprefix("constant "), exact(kind)
     role, framed = FRAMED.get(plain, (Role.TENSOR if kind.size > 1 else None, built))
     if kind.constant and role is not Role.ANGLE:
         framed = built
-    apart = not kind.dual and name not in NOT_APART
+    apart = not kind.dual and name != "rotation"  # statements about rotations hold for dual ones too
     return Quantity(name, kind.size - kind.projective, framed, built, role, apart=apart)
 
 
-_DEFINED = (
-    Quantity("real tensor", apart=True), Quantity("real quaternion", apart=True), Quantity("line", apart=True),
-    Quantity("pose"), Quantity("number"), Quantity("function"), Quantity("function of parts", apart=True),
-    Quantity("map"), PROPOSITION,
-)  # fmt: skip
-"""Quantities that need a definition; a number may be real or dual."""
+_DEFINED = (Quantity("function"), Quantity("function of parts", apart=True))
+"""Quantities that need a definition."""
 
 _CONSTANT = (
     Quantity("dual unit", value=lambda field: Dual(0, 1), apart=True, varies=False),

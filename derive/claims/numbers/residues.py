@@ -19,7 +19,8 @@ import flint
 import sympy
 
 from ...algebra.element import NotExactError
-from .generators import POOLS, Generators, Monomial
+from .generators import POOLS, Generators
+from .intervals import Monomial
 
 PRIME_BITS = 256
 SURE_BITS = 120
@@ -240,8 +241,5 @@ class Residues(Generators):
         found: Residue = self.chosen(Residue(self, root, a.degree, a.bits))
         return found
 
-    def restrict_tangent(self, name: str, monomial: Monomial) -> None:
-        """Leave a tangent unbounded: no sign is asked of a residue."""
-
-    def restrict_exponential(self, name: str) -> None:
-        """Leave an exponential unbounded: no sign is asked of a residue."""
+    def restrict(self, what: str, name: str, known: Any) -> None:
+        """Leave a generator unbounded: no sign is asked of a residue."""

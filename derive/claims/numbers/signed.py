@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Collection, Mapping, Sequence
 from fractions import Fraction
-from math import comb, prod
+from math import prod
 from typing import Any
 
 import sympy
 
 from ...algebra.element import Element, NotExactError
 from ...algebra.exact import RationalFunctions
+from .boxes import Interval, is_positive
 
 TERMS_MAX = 2000
 """Largest number of terms of a polynomial; a proof modulo a prime has no such limit."""
@@ -23,7 +24,8 @@ Bound = Any  # SymPy's number, a multiple of π or rational; ∞ if there is non
 class Signed(RationalFunctions):
     """Rational functions of generators in intervals; only numbers of one sign there have a sign.
 
-    Intervals are open, but for names in `closed`: their ends count where a number must not be 0.
+    Intervals are open, but for names in `closed`: their ends count where a number must not be 0. Those of names in
+    `limits` count if asked for.
     """
 
     def __init__(
@@ -33,8 +35,9 @@ class Signed(RationalFunctions):
         super().__init__(names, point | {"pi": Fraction(355, 113)})
         self.ranges: dict[str, tuple[Bound, Bound]] = {}
         self.closed = set(closed)
+        self.limits: set[str] = set()
         self.positive = [False] * len(self.names)
-        self._known: dict[tuple[str, bool], bool] = {}  # definite polynomials by their text
+        self._known: dict[tuple[str, bool, bool], bool] = {}  # definite polynomials by their text
         self._ends: dict[str, Any] = {}
         self.restrict("pi", sympy.Integer(3), sympy.Integer(4))
         for name, (low, high) in ranges.items():
@@ -63,31 +66,44 @@ class Signed(RationalFunctions):
         """Return the irreducible factors of numerators and denominators, constants left out."""
         return [f for a in numbers for part in (a.numerator, a.denominator) for f, _ in self.library.factors(part)]
 
-    def definite(self, factor: Any, strict: bool = False) -> bool:
-        """Return whether a polynomial has one sign, by its coefficients, squares or Sturm; nowhere 0 if `strict`."""
-        key = str(factor), strict
+    def definite(self, factor: Any, strict: bool = False, limits: bool = False) -> bool:
+        """Return whether a polynomial has one sign, by coefficients, squares, Sturm or boxes; nowhere 0 if `strict`."""
+        key = str(factor), strict, limits
         if key not in self._known:
-            self._known[key] = self._is_definite(factor, strict)
+            self._known[key] = self._is_definite(factor, strict, self.closed | self.limits if limits else self.closed)
         return self._known[key]
 
-    def _is_definite(self, factor: Any, strict: bool) -> bool:
+    def _is_definite(self, factor: Any, strict: bool, closed: Collection[str]) -> bool:
         terms = self.library.terms(factor)
         used = {i for powers in terms for i, power in enumerate(powers) if power}
         positive = self.positive
         even = all(power % 2 == 0 or sign for powers in terms for power, sign in zip(powers, positive, strict=True))
         if even and len({c > 0 for c in terms.values()}) == 1:
-            apart = (all(self._is_apart(i) for i, power in enumerate(powers) if power) for powers in terms)
+            apart = (all(self._is_apart(i, closed) for i, power in enumerate(powers) if power) for powers in terms)
             return not strict or any(apart)
         if len(used) == 1:
             (i,) = used
-            ends = strict and self.names[i] in self.closed
+            ends = strict and self.names[i] in closed
             return self._has_no_root(self.names[i], {powers[i]: c for powers, c in terms.items()}, ends)
-        return _is_definite_form(terms, sorted(used), strict)
+        return _is_definite_form(terms, sorted(used), strict) or self._is_definite_on_box(
+            factor, sorted(used), strict, closed)
 
-    def _is_apart(self, i: int) -> bool:
+    def _is_definite_on_box(self, factor: Any, used: Sequence[int], strict: bool, closed: Collection[str]) -> bool:
+        """Return whether a polynomial has one sign, that at the reference point, on the box of its intervals."""
+        sign = 1 if super().value(factor) > 0 else -1
+        terms = {tuple(powers[i] for i in used): sign * c for powers, c in self.library.terms(factor).items()}
+        return is_positive(terms, [self._bounds(self.names[i], closed) for i in used], strict)
+
+    def _bounds(self, name: str, closed: Collection[str]) -> Interval:
+        """Return rational bounds of a generator, a little outside its interval if this has irrational ends."""
+        ends = _rational(*self.ranges.get(name, (-sympy.oo, sympy.oo)), -MARGIN)
+        low, high = (None if end is None else Fraction(int(end.p), int(end.q)) for end in ends)
+        return Interval(low, high, (name in closed,) * 2)
+
+    def _is_apart(self, i: int, closed: Collection[str]) -> bool:
         """Return whether a generator is never 0, as it is positive."""
         name = self.names[i]
-        return self.positive[i] and (name not in self.closed or bool(self.ranges[name][0] > 0))
+        return self.positive[i] and (name not in closed or bool(self.ranges[name][0] > 0))
 
     def _has_no_root(self, name: str, terms: Mapping[int, Fraction], ends: bool) -> bool:
         """Return whether a polynomial in one generator has no root in its interval, by Sturm's theorem."""
@@ -139,15 +155,6 @@ def _rational(low: Bound, high: Bound, margin: Fraction) -> tuple[Bound, Bound]:
         return sympy.Rational(str(end.evalf(30))) + sign * shift
 
     return near(low, 1), near(high, -1)
-
-
-def vanishing_at(end: Bound, steps: int) -> Any:
-    """Return the polynomial in ``tan(angle/2 steps)`` that vanishes at a multiple of π; None for another angle."""
-    if not (end / sympy.pi).is_Rational:
-        return None
-    power = 2 * steps * (end / sympy.pi).q
-    imaginary = {(k,): comb(power, k) * (-1) ** (k // 2) for k in range(1, power + 1, 2)}  # of (1 + i x)**power
-    return sympy.Poly(imaginary, sympy.Symbol("x"))
 
 
 def turns_to_principal(part: Fraction, low: Bound, high: Bound) -> int | None:

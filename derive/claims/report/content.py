@@ -169,15 +169,8 @@ def why(result: Result) -> str:
 
 
 def subject(result: Result) -> str:
-    """Return what an erratum is about: a formula, where something holds or exists, or what an equation is called.
-
-    A formula is an equation, or several of them. A reference has no parts that could be equal.
-    """
-    statement = result.verdicts[0].statement
-    parts = statement.arguments if statement.operator.name == "both" else (statement,)
-    if all(part.operator.name == "equal" for part in parts if part.arguments) and statement.arguments:
-        return "formulas"
-    return "domains" if statement.arguments else "references"
+    """Return what an erratum is about: a formula, printed with a sign =, or where something holds or exists."""
+    return "formulas" if " = " in result.printed else "domains"
 
 
 def command(result: Result) -> str:

@@ -28,7 +28,7 @@ from .content import (
     subject,
     why,
 )
-from .plain import escape, plain
+from .plain import code, escape, in_cell, in_line, plain, prose
 
 MIN_WIDTH = 72
 """Minimum width for two formulas side by side."""
@@ -57,6 +57,9 @@ def _grids(report: Report) -> Iterator[Grid]:
         for status in TABLES:
             if chapter.of(status):
                 yield table(chapter, status)
+    if report.problems:
+        unread = [(problem.equation, str(problem)) for problem in report.problems]
+        yield Grid("not read", [Column("equation", width=14), Column("reason")], unread, MIN_WIDTH)
     if report.proofs:
         proofs = [(proof.scope, proof.status, proof.statement) for proof in report.proofs]
         yield Grid("proofs", [Column("scope"), Column("status"), Column("statement")], proofs, MIN_WIDTH)
@@ -79,6 +82,8 @@ def _full(result: Result) -> Rows:
     yield "claim", shown(result)
     if result.equation.at:
         yield "printed at", result.equation.at
+    if result.equation.printed:
+        yield "in print", result.equation.printed
     if result.equation.mended is not None and result.corrected:
         yield "corrected", written(result.equation.mended)
     if result.counterexample is not None:
@@ -171,7 +176,8 @@ def data(report: Report) -> str:
 def page(form: str, report: Report) -> str:
     """Return the report as Markdown ("md"), HTML or LaTeX ("tex"): the template gets the functions that it names."""
     template = f"report/errata.{form}.j2"
-    functions = (label, notes, extent, place, readings, why, subject, command, example, in_cell, mathml, escape)
+    functions = (label, notes, extent, place, readings, why, subject, command, example, mathml, escape,
+                 prose, in_line, in_cell, code)
     data = {"report": report, "statuses": report.statuses, "differing": differing_sides}
     data |= {status.name: status for status in Status} | {function.__name__: function for function in functions}
     return render(template, **{name: data[name] for name in holes(template)})
@@ -201,11 +207,6 @@ def _marked(a: Term, b: Term) -> tuple[Term, Term]:
         firsts, seconds = zip(*map(_marked, a.arguments, b.arguments), strict=True)
         return a.operator(*firsts), b.operator(*seconds)
     return CHANGED[a.operator.level](a), CHANGED[b.operator.level](b)
-
-
-def in_cell(latex: str) -> str:
-    """Return a formula without bars, which would end a cell of a table in Markdown."""
-    return latex.replace(r"\|", r"\Vert ").replace("|", r"\vert ")
 
 
 def mathml(latex: str) -> str:

@@ -5,6 +5,7 @@ Only LaTeX produced by this package's notation is supported; an unknown command 
 
 from __future__ import annotations
 
+import html
 import re
 import unicodedata
 from collections.abc import Iterator
@@ -82,6 +83,34 @@ def _grouped(value: str) -> str:
     value = value.strip()
     bracketed = value.startswith("(") and value.endswith(")") and ")" not in value[1:-1]
     return value if _WHOLE.fullmatch(value) or bracketed else f"({value})"
+
+
+# ---- text for Markdown ------------------------------------------------------------------------------------------
+
+
+_FORMULA = re.compile(r"\$(?!\s)([^$]+)(?<!\s)\$(?!\d)")
+_MARKUP = re.compile(r"[\\`*_\[\]|$]")
+
+
+def prose(text: str) -> str:
+    """Return words, with formulas between dollars, as Markdown in which they mean no tag, link, cell or formula."""
+    pieces = enumerate(_FORMULA.split(text))
+    return "".join(in_line(in_cell(p)) if i % 2 else _MARKUP.sub(r"\\\g<0>", html.escape(p, False)) for i, p in pieces)
+
+
+def in_line(latex: str) -> str:
+    """Return a formula within a line of Markdown; a backtick would end it."""
+    return f"$`{' '.join(latex.replace('`', chr(39)).split())}`$"
+
+
+def in_cell(latex: str) -> str:
+    """Return a formula without bars, which would end a cell of a table in Markdown."""
+    return latex.replace(r"\|", r"\Vert ").replace("|", r"\vert ")
+
+
+def code(text: str) -> str:
+    """Return words as code within a line or cell of Markdown."""
+    return "`" + " ".join(text.replace("`", "'").replace("|", "\\|").split()) + "`"
 
 
 # ---- text for LaTeX ---------------------------------------------------------------------------------------------

@@ -9,7 +9,7 @@ from typing import Any
 import mpmath
 import pytest
 
-from derive.algebra import Dual, Quaternion, Tensor, Vector, ZeroDivisorError, first_principles, functions
+from derive.algebra import Dual, Quaternion, Tensor, Vector, ZeroDivisorError, first_principles
 from derive.algebra.first_principles import quaternion_exponential, tensor_exponential
 from derive.maps import cayley_scalars
 from derive.proof import evaluation
@@ -51,26 +51,6 @@ def test_tangent_operators_are_differentials(n: int, real: bool, draw: Draw, gap
     assert gap(found, cayley_scalars.tangent(n, v.dot(v)).tensor(v)) < TINY
 
 
-@pytest.mark.parametrize("real", [False, True])
-def test_rates_of_the_axis_are_found_from_three_motions(real: bool, draw: Draw, gap: Gap) -> None:
-    v = draw().re if real else draw()
-    u, angle = v / functions.sqrt(v.dot(v)), mpmath.mpf("0.8") if real else Dual(mpmath.mpf("0.8"), mpmath.mpf(3))
-    assert gap(first_principles.axis_rates(about, angle, u), rate_of_axis(angle, u)) < TINY
-
-
-def test_rates_of_the_axis_along_a_coordinate_axis(gap: Gap) -> None:
-    """Expect rates for u along a coordinate axis e, although ``u × e`` = 0 gives no direction across u."""
-    for axis in Tensor.identity().rows:
-        u, angle = Vector(*map(mpmath.mpf, axis)), mpmath.mpf("0.8")
-        assert gap(first_principles.axis_rates(about, angle, u), rate_of_axis(angle, u)) < TINY
-
-
-def test_rates_of_the_axis_without_rotation_raise(draw: Draw) -> None:
-    v = draw().re
-    with pytest.raises(ZeroDivisionError):
-        first_principles.axis_rates(about, mpmath.mpf(0), v / v.magnitude())
-
-
 @pytest.mark.parametrize("size", [0, 1])
 def test_exponentials_of_quaternions_turn_by_twice_the_vector(size: int, draw: Draw, gap: Gap) -> None:
     v = draw()
@@ -80,6 +60,21 @@ def test_exponentials_of_quaternions_turn_by_twice_the_vector(size: int, draw: D
     assert gap(q * q.conjugate(), Quaternion(Dual(1, 0), a * 0)) < TINY
     assert gap(tensor_exponential(a) @ tensor_exponential(a), tensor_exponential(a * 2)) < TINY
     assert gap(q * q, quaternion_exponential(a * 2)) < TINY
+
+
+@pytest.mark.parametrize("depth", [1, 2, 3, 4])
+def test_exponentials_at_rest_have_dual_parts_and_rates(depth: int) -> None:
+    """Expect exp(a) exp(a) = exp(2a) exactly where the number inside each coefficient is 0."""
+
+    def coefficient(place: int, depth: int) -> Any:
+        if not depth:
+            return Fraction(place)
+        return Dual(coefficient(place, depth - 1), coefficient(7 * place + depth, depth - 1))
+
+    a = Vector(*(coefficient(place, depth) - place for place in (1, 2, 3)))
+    q, R = quaternion_exponential(a), tensor_exponential(a)
+    assert tuple(q * q) == tuple(quaternion_exponential(a * 2))
+    assert tuple(R @ R) == tuple(tensor_exponential(a * 2)) == tuple(first_principles.tensor_by_sandwich(q))
 
 
 def test_singular_compositions_raise() -> None:

@@ -10,6 +10,7 @@ import pytest
 from derive.claims.decide import decide
 from derive.claims.deciding.conditions import is_sharp
 from derive.claims.equation import Entry, Reading, UndecidedError, equation, faithful
+from derive.claims.language.matrices import greater
 from derive.claims.language.operator_table import (
     Re,
     both,
@@ -20,31 +21,22 @@ from derive.claims.language.operator_table import (
     det,
     dot,
     equal,
-    iff,
     implies,
     nonzero,
     norm,
-    pi,
-    pm,
-    remark,
     root,
     sin,
     skew,
     tan,
-    words,
-    zero,
 )  # fmt: skip
 from derive.claims.language.operator_table import identity as I
 from derive.claims.language.printed import Symbol, latex
 from derive.claims.result import Result, Status
 from derive.papers import PAPERS
-from derive.papers.condurache_popa_2023.cp23_notation import alpha, positive, u, v
-from derive.papers.condurache_popa_2023.definitions import cayley_maps
-from derive.papers.condurache_popa_2023.definitions.dual_algebra import defined, unequal
 
 a, b, c = (Symbol(name, "dual number") for name in "abc")
-w = Symbol("w", "dual vector")
-k = Symbol("k", "index", "k", "k")
+v, w = Symbol("v", "dual vector"), Symbol("w", "dual vector")
+alpha, u = Symbol("alpha", "angle"), Symbol("u", "unit vector")
 square_of_sum = equal((a + b) ** 2, a**2 + 2 * (a * b) + b**2)
 
 LOST = PAPERS[0].lost
@@ -74,7 +66,7 @@ def test_status_cannot_be_given() -> None:
 @pytest.mark.parametrize(
     ("statement", "extract"),
     [(equal(a, 1 / (1 + b)), "a = 1 1 + b"), (equal(skew(v) ** 2, dot(w, v)), "v ~ _ 2 = w · v"),
-     (equal(a, pm(root(b - 1))), "a _ = ± b 1"), (equal(cross(v, w), v), "v × w = v")],
+     (equal(a, root(b - 1)), "a _ = b 1"), (equal(cross(v, w), v), "v × w = v")],
 )  # fmt: skip
 def test_faithful_readings(statement, extract: str) -> None:
     assert faithful(statement, extract, LOST)
@@ -157,7 +149,6 @@ def test_points_outside_the_claimed_domain_do_not_count() -> None:
 @pytest.mark.parametrize(
     ("condition", "statement"),
     [(nonzero(Re(b)), equal(a / b, c)), (nonzero(b), equal(a / b, c)),
-     (remark(nonzero(Re(b)), words("", "")), equal(a / b, c)),
      (nonzero(Re(b)), both(equal(a, c), equal(c, a / (2 / b)))), (nonzero(Re(sin(alpha))), equal(a, cot(alpha))),
      (nonzero(Re(b)), equal(a / (b**2 * c), c)), (nonzero(Re(b)), equal(a / (c * b**2), c)),
      (both(nonzero(Re(b)), nonzero(Re(c))), equal(a / (c * b), c)), (nonzero(Re(v)), equal(v / norm(v) ** 2, v)),
@@ -173,9 +164,9 @@ def test_condition_on_a_denominator_is_sharp(condition, statement) -> None:
 @pytest.mark.parametrize(
     ("condition", "statement"),
     [(nonzero(Re(a)), equal(a / b, c)), (implies(nonzero(Re(b)), nonzero(Re(b))), equal(a / b, c)),
-     (remark(nonzero(Re(a)), words("", "")), equal(a / b, c)), (both(nonzero(Re(b)), nonzero(Re(a))), equal(a / b, c)),
+     (both(nonzero(Re(b)), nonzero(Re(a))), equal(a / b, c)),
      (nonzero(Re(b)), equal(a / (b + 1), c)),
-     (nonzero(Re(b)), equal(a, cases((a / b, nonzero(Re(b))), (a, equal(a, a))))),
+     (nonzero(Re(b)), equal(a, cases(a / b, nonzero(Re(b)), a))),
      (nonzero(Re(sin(alpha / 2))), equal(v, tan(alpha / 2) * u)), (equal(b, 1), equal(a / b, c))],
     ids=str,
 )  # fmt: skip
@@ -193,26 +184,20 @@ def test_condition_with_a_true_point_outside_is_not_sharp() -> None:
 def test_value_is_refused_if_the_form_states_none(monkeypatch) -> None:
     monkeypatch.setattr(sys.modules["derive.claims.deciding.finding"], "is_sharp", lambda *_: True)
     with pytest.raises(UndecidedError, match="its form says no value, but there is one"):
-        decided(equal(norm(a) * norm(a) / norm(a), a), condition=positive(Re(a)))
+        decided(equal(norm(a) * norm(a) / norm(a), a), condition=greater(Re(a), 0))
 
 
 def test_two_symbols_are_special_at_once() -> None:
     (entry,) = (entry for entry in PAPERS[0].entries() if entry.number == "59")
-    with pytest.raises(UndecidedError, match=r"refuted at n = 1, a_: minus one, .*w: 0.*: no value"):
+    with pytest.raises(UndecidedError, match=r"refuted at n = 1, scale: minus one, .*w: 0.*: no value"):
         decide("paper", dataclasses.replace(entry, condition=None), LOST)
-
-
-def test_domain_that_is_too_strict_is_an_erratum() -> None:
-    printed = iff(unequal(Re(alpha), k * pi, k), defined(tan(alpha / 2) * u))
-    right = iff(unequal(Re(alpha), (2 * k + 1) * pi, k), defined(tan(alpha / 2) * u))
-    assert decided(printed, corrected=right).status is Status.ERRATUM
 
 
 # ---- methods ------------------------------------------------------------------------------------------------------
 
 
 def test_statement_that_may_fail_at_special_symbols_is_unrefuted() -> None:
-    result = decided(iff(zero(a * b), zero(b * a)))
+    result = decided(implies(negated(equal(a * b, 0)), equal(b * a, 0)))
     assert result.status is Status.UNREFUTED
     assert result.method.startswith("true at ")
 
@@ -230,16 +215,3 @@ def test_trigonometry_is_exact() -> None:
 def test_fractions_of_angles_are_exact(parts: int) -> None:
     part = alpha / parts
     assert decided(equal(2 * (sin(part) * cos(part)), sin(2 * alpha / parts))).method == "exact"
-
-
-# ---- theorems for every order -------------------------------------------------------------------------------------
-
-
-@pytest.mark.parametrize("number", ["50", "55", "88", "89"])
-def test_statement_for_every_order_fails_without_its_theorem(monkeypatch, number: str) -> None:
-    (entry,) = (entry for entry in PAPERS[0].entries() if entry.number == number)
-    monkeypatch.setattr(cayley_maps, "citing", lambda _: ())
-    cayley_maps._proved_among.cache_clear()
-    with pytest.raises(UndecidedError, match="supporting identity is not proved"):
-        decide("paper", entry, LOST)
-    cayley_maps._proved_among.cache_clear()

@@ -43,6 +43,7 @@ HOLDS = [
     ("vect(rate(exp(skew(v)))*transpose(exp(skew(v)))) == dexp(v)*rate(v)", V),
     ("sqrt(x*y) == sqrt(x)*sqrt(y)", POSITIVE),
     ("log(x*y) == log(x) + log(y)", POSITIVE), ("log(s*exp(x)) == log(s) + x", {"s": "positive", **X}),
+    ("x < x + 1 and sqrt(x**2) >= x", X), ("norm(v)*rate(x) == rate(x)*norm(v)", {**X, **V}),
     ("norm(v + w) <= norm(v) + norm(w)", VW), ("scalar(q*conjugate(q)) == norm(q)**2", {"q": "quaternion"}),
     ("q == scalar(q) + vector_part(q)", {"q": "quaternion"}), ("left_jacobian(exp(xi), xi)*xi == xi", {"xi": "twist"}),
     ("T*exp(xi)*inverse(T) == exp(adjoint(T)*xi)", {"T": "pose", "xi": "twist"}),
@@ -68,7 +69,8 @@ OPEN = [
     ("norm(n + R*m) < 2", {"n": "unit vector", "m": "unit vector", **R}),
     ("(16 - dot(v, v))*(16 - dot(w, w)) - 64*dot(v, w) + (16 + dot(v, v))*(16 + dot(w, w)) != 0", VW),
     ("integral(norm(t), t, 1, 1) == 0", {}), ("x == 0 or x != 0", X),
-    ("x < x + 1 and sqrt(x**2) >= x", X), ("factorial(n + 1) == (n + 1)*factorial(n)", {"n": "order"}),
+    ("factorial(n + 1) == (n + 1)*factorial(n)", {"n": "order"}),
+    ("dcay(n, v)*v == 2*n*v/(1 + dot(v, v))", {"n": "order", **V}),
 ]  # fmt: skip
 """Claims that no rule proves, and that no point refutes with certainty; the fourth and fifth are false."""
 CONDITIONS = [
@@ -80,6 +82,8 @@ CONDITIONS = [
     ("acos(cos(x)) == x", X, "0 <= x and x <= pi"), ("rate(norm(v)) == dot(v, rate(v))/norm(v)", V, "norm(v) != 0"),
     ("inverse(dexp(v))*dexp(v) == I", V, "norm(v) != 2*k*pi for k = 1, 2, …"),
     ("norm(x*v) == x*norm(v)", {**X, **V}, "x*norm(v) >= 0"), ("tan(a)*cos(a) == sin(a)", A, "cos(a) != 0"),
+    ("n*(x - n)/(n*(x - n)) == 1", {"n": "order", **X}, "x - n != 0"),
+    ("rate(sqrt(x - 5)) == rate(x - 5)/(2*sqrt(x - 5))", X, "x - 5 > 0"),
     ("rate(b)/b*b == rate(b)", {"b": "dual number"}, "re(b) != 0"),
     ("limit(sin(t*norm(v))/t, t, 0)/norm(v) == 1", V, "norm(v) != 0"),
     ("limit(sin(t*x)/(t*x), t, 0) == 1", X, "limit(sin(t*x)/(t*x), t, 0) has a value"),

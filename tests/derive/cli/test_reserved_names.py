@@ -40,11 +40,6 @@ def test_chart_may_have_its_own_name(name: str, phi: str) -> None:
     assert [chart.name for chart in catalogue.charts((), (), phi, name)] == [name]
 
 
-def test_library_refuses_reserved_names(tmp_path: Path) -> None:
-    with pytest.raises(ValueError, match="leading underscore"):
-        generate(phi="alpha/2", name="_native", output=tmp_path)
-
-
 def test_repeated_name_is_shown_once() -> None:
     once, twice = (dualcay("show", "-n", "3", "--what", what).stdout for what in ("q,p", "q,p,q"))
     assert twice == once

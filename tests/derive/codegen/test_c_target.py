@@ -13,7 +13,6 @@ from derive.codegen import ValidationFailed, check_charts, generate
 from derive.codegen.lowering.scalar_programs import SCALARS
 from derive.codegen.package import notices
 from derive.codegen.programs.trace import Trace
-from derive.codegen.rows import inside
 from derive.codegen.signatures import KERNELS, POSES, ROTATIONS, geometry, lower_chart
 from derive.codegen.targets import TARGETS, c, c99
 from derive.codegen.validation import compiled
@@ -159,16 +158,6 @@ def test_the_package_holds_headers_their_tests_and_a_cmake_project(texts):
         assert not re.search(r"^[^/]*\b[A-Z]\b", text, re.MULTILINE), "where other people's macros are"
 
 
-@pytest.mark.parametrize(("table", "prefix"), [(POSES, "dualcay"), (ROTATIONS, "dualcay_rotation")])
-def test_every_function_has_a_plain_form_and_one_for_rows(texts, table, prefix):
-    geometry = texts[inside(table, "geometry.h")]
-    for name in table.public:
-        assert f"DUALCAY_FUNCTION void DUALCAY_NAME({name})(" in geometry
-        assert f"DUALCAY_FUNCTION void DUALCAY_NAME({name}_rows)(" in geometry
-    for alias in ("dcay", "dcay_rows", "dcay_inv", "dcay_inv_rows"):
-        assert f"#define {prefix}_cayley3_{alias} " in texts[inside(table, "cayley3.h")]
-
-
 def test_rotation_headers_reuse_scalars_of_poses(texts):
     """Expect no new scalar programs: rotations call the scalar programs in the headers of poses."""
     text = texts["rotation/geometry.h"]
@@ -195,20 +184,16 @@ def test_unknown_or_missing_function_is_an_error(texts, file, old, new, message)
 
 
 def test_a_folder_is_checked_as_a_whole(tmp_path, texts, without_validation):
-    generate([3, 4], "c", tmp_path)
-    assert check_charts(tmp_path, [Cayley(3)], "c") == []
-    (tmp_path / "test_cayley4.c").write_text(texts["test_cayley4.c"].replace("0x1", "0x2", 1))
+    generate([3], "c", tmp_path)
+    (tmp_path / "test_cayley3.c").write_text(texts["test_cayley3.c"].replace("0x1", "0x2", 1))
     (tmp_path / "differential.h").unlink()
     assert {(found.path.name, found.kind) for found in check_charts(tmp_path, [Cayley(3)], "c")} == {
-        ("test_cayley4.c", "stale"), ("differential.h", "missing"),
+        ("test_cayley3.c", "stale"), ("differential.h", "missing"),
     }  # fmt: skip
 
 
 @pytest.mark.compiler
-@pytest.mark.parametrize(
-    "first",
-    ["cayley3.h", "geometry.h", "rotation/cayley3.h", "rotation/geometry.h", "differential.h", "test_cayley3.c"],
-)
+@pytest.mark.parametrize("first", ["cayley3.h", "rotation/geometry.h", "differential.h"])
 def test_half_written_headers_fail_to_compile_and_name_the_command(staged, first):
     """Expect an error that names the command, for any header included first, even with other headers missing."""
     (staged / "dualcay.h").write_text(notices([Cayley(3), Cayley(4)], C)["dualcay.h"])
@@ -221,11 +206,6 @@ def test_half_written_headers_fail_to_compile_and_name_the_command(staged, first
     assert done.returncode
     errors = [line for line in done.stderr.splitlines() if "error:" in line]
     assert "half-written kernels: finish them with  python -m derive generate -n 3,4 --target c " in errors[0]
-
-
-def test_a_half_written_package_is_stale(staged):
-    (staged / "dualcay.h").write_text(notices([Cayley(3), Cayley(4)], C)["dualcay.h"])
-    assert [(d.path.name, d.kind) for d in check_charts(staged, [Cayley(3)], "c")] == [("dualcay.h", "stale")]
 
 
 # --- validation ---------------------------------------------------------------------------------------------------
@@ -242,24 +222,15 @@ def test_printed_package_agrees(staged):
     assert compiled.test(staged, Cayley(3)) > 1000
 
 
-# one change of each kind; test_c_text tries many more, without a compiler
+# one change in each file; test_c_text tries many more, without a compiler
 @pytest.mark.compiler
 @pytest.mark.parametrize(
     ("file", "function", "pattern", "replacement"),
     [
         ("cayley3.h", "pose_scalars", r"q = 3 - x", "q = 3 + x"),
-        ("cayley3.h", "tangent_scalars", r"\*gy_at = gy", "*gy_at = hy"),
-        ("cayley3.h", "gain", r"/ 3\b", "/ 4"),
-        ("cayley3.h", "natural", r"2 \* dualcay_atan2", "dualcay_atan2"),
-        ("cayley3.h", "beyond", r"limit1 \+ \(x", "limit1 - (x"),
-        ("cayley3.h", "step", r"\{DUALCAY_NUMBER\(-0\.5", "{DUALCAY_NUMBER(0.5"),
         ("cayley4.h", "gain", r"\(1 \+ ", "(1 - "),
-        ("geometry.h", "body_twist", r"NUMBER\(-1\.0\)", "NUMBER(1.0)"),
         ("geometry.h", "body_rate_rows", r"NUMBER\(-0\.5", "NUMBER(0.5"),
-        ("geometry.h", "from_tensor_core", r"/ 2\b", "/ 3"),
-        ("geometry.h", "composed_core", r"\(p2 \* q3 - p3 \* q2\)", "(p3 * q2 - p2 * q3)"),
         ("geometry.h", "shadow_core", r"sign \* sin", "sin"),
-        ("rotation/geometry.h", "axis_of_core", r"= s1 /", "= s2 /"),
         ("rotation/geometry.h", "copy_core", r"= v2;", "= v1;"),
     ],
 )

@@ -122,8 +122,6 @@ LATE = [
     (POSES, r"const dualcay_real h = 16 \* r;", "const dualcay_real h = 33 / 2 * s;", r"3\.h:\d+: an integer div"),
     (POSES, r"(v_dot_at\[v_dot_by\] = \()w2", r"\1omega_at[omega_by]", "an argument is read after a result is written"),
     (POSES, r"(?=\n#endif\n*\Z)", "\nDUALCAY_CORE int dualcay_new(void) { return 1; }\n", "nothing calls .*_new"),
-    (POSES, r"void DUALCAY_NAME\(pose\)\(", "void DUALCAY_NAME(posed)(", "there is no function dualcay_cayley3_pose"),
-    (ROTATIONS, r"void DUALCAY_NAME\(tensor\)\(", "void DUALCAY_NAME(m)(", "there is no function dualcay_rotation_"),
 ]
 
 

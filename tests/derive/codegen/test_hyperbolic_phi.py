@@ -103,9 +103,8 @@ FORMS = [
 """φ whose edges are tested too."""
 GENERATED = [
     ("numpy", "sin(alpha/4)/sqrt(cos(alpha/4))", "tan(2*alpha/5)", "alpha + 9*sin(alpha)/10", "sinh(alpha/3)"),
-    ("array-api", "alpha/sqrt(1 + alpha**2/40)", "tan(alpha/3) + sin(alpha/3)", "5*tanh(alpha/9) + alpha/9"),
-    ("numba", "2*sin(alpha/2)", "alpha/2 + alpha/3", "sin(alpha/5)/sqrt(1 - sin(alpha/5)**2/9)", "asin(alpha/13)",
-     "3*tan(alpha/7) - sin(alpha/9)", "alpha*(3 + alpha**2/20)/(3 + alpha**2/50)", "alpha*exp(-alpha**2/100)"),
+    ("array-api", "tan(alpha/3) + sin(alpha/3)", "5*tanh(alpha/9) + alpha/9"),
+    ("numba", "2*sin(alpha/2)", "asin(alpha/13)", "alpha*exp(-alpha**2/100)"),
     ("c", "alpha/(1 + alpha**2/40)"),
 ]  # fmt: skip
 """φ of every kind: named charts and multiples, inverses in closed form, by a fit and by halvings, with poles, folds and

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Callable
 from pathlib import Path
 
@@ -24,11 +25,11 @@ def folder(shared: Callable[[str, Callable[[Path], object]], Path]) -> Path:
     return shared("native_sources", lambda place: packages.write([3], "native", place))
 
 
-@pytest.mark.parametrize("error", ["int broken(void) { return }", "int unknown(void) { return dualcay_unknown(1); }"])
-@pytest.mark.parametrize(
-    "name",
-    ["cayley3.c", "rotation/cayley3.c", "loops.h", "rotation/loops.h", "tiles.h", "direct.h", "gufuncs.h"],
-)
+ERRORS = ("int broken(void) { return }", "int unknown(void) { return dualcay_unknown(1); }")
+NAMES = ("cayley3.c", "rotation/cayley3.c", "loops.h", "rotation/loops.h", "tiles.h", "direct.h", "gufuncs.h")
+
+
+@pytest.mark.parametrize(("name", "error"), [*zip(NAMES, itertools.cycle(ERRORS))])
 def test_an_error_in_a_source_stops_generation(folder: Path, tmp_path: Path, name: str, error: str) -> None:
     texts = {str(p.relative_to(folder)): p.read_text("utf-8") for p in folder.rglob("*") if p.suffix in (".c", ".h")}
     files.write(tmp_path, {**texts, name: f"{texts[name]}\n{error}\n"})

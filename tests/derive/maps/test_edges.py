@@ -136,7 +136,14 @@ FITTED = {
 """Fits by φ: degree near 0, limit of x, remainder; first guess and number of Newton steps beyond the limit."""
 
 
-@pytest.fixture(scope="module", params=list(FITTED))
+QUICK = 3
+"""Every third φ is tested in normal runs."""
+
+
+@pytest.fixture(
+    scope="module",
+    params=[pytest.param(phi, marks=pytest.mark.thorough if k % QUICK else ()) for k, phi in enumerate(FITTED)],
+)
 def phi(request: pytest.FixtureRequest) -> str:
     return str(request.param)
 

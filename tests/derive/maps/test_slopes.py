@@ -70,7 +70,17 @@ def close(found: mpmath.mpf, expected: mpmath.mpf) -> bool:
     return bool(abs(found - expected) <= TOLERANCE * (1 + abs(expected)))
 
 
-@pytest.mark.parametrize("of", PHI, indirect=True)
+QUICK = ("fold", "pole", "arc")
+"""Texts of φ tested in normal runs: fitting their polynomials takes a second."""
+
+
+def drawn(*names: str) -> list[Any]:
+    """Return parameters, with a marker on texts of φ that are not quick."""
+    slow = PHI.keys() - {*QUICK}
+    return [pytest.param(name, marks=pytest.mark.thorough if name in slow else ()) for name in names]
+
+
+@pytest.mark.parametrize("of", drawn(*PHI), indirect=True)
 def test_scalars_match_the_angle(of: Any) -> None:
     with mpmath.workdps(40):
         for x in squares(of)[1:]:
@@ -84,7 +94,7 @@ def test_scalars_match_the_angle(of: Any) -> None:
             assert close(at.rate, 1 / slope)
 
 
-@pytest.mark.parametrize("of", ["3", "8", "11", "16", *FAMILIES, *PHI], indirect=True)
+@pytest.mark.parametrize("of", drawn("3", "11", *FAMILIES[::2], *PHI), indirect=True)
 def test_slopes_are_twice_the_derivatives(of: Any) -> None:
     pairs = [*zip(SLOPES, VALUES, strict=True), *zip(BENDS, SLOPES[2:], strict=True), ("ratey", "rate")]
     with mpmath.workdps(40):

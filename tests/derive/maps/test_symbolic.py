@@ -30,9 +30,13 @@ EPS = np.finfo(float).eps
 STEP = 1e-30  # of the complex step, whose square is below any rounding error
 
 
+KINDS = ("cayley1", "cayley3", "cayley8", "exponential", "lambert", "breusing")
+"""Committed charts of every kind of formula; the others differ in numbers."""
+
+
 def charts(*quick: str) -> list[Any]:
-    """Return parameters for all charts, with a marker on those that are not quick."""
-    return [pytest.param(name, marks=() if name in quick else pytest.mark.thorough) for name in (*NAMED, *OWN)]
+    """Return parameters for charts of every kind, with a marker on those that are not quick."""
+    return [pytest.param(name, marks=() if name in quick else pytest.mark.thorough) for name in (*KINDS, *OWN[::2])]
 
 
 def chart_of(name: str) -> Any:
@@ -66,7 +70,7 @@ def slopes(kernel: Any, v: np.ndarray) -> list[list[np.ndarray]]:
     return [[part.imag / STEP for part in parts(moved)] for moved in steps]
 
 
-@pytest.mark.parametrize("name", charts("cayley3", "exponential", "breusing", OWN[1]))
+@pytest.mark.parametrize("name", charts("cayley3", OWN[0]))
 def test_matrices_equal_the_kernels(name: str, tmp_path: Path) -> None:
     """Compare values, rounded once, with kernels, whose errors are below 8 eps of size and condition.
 
@@ -91,7 +95,7 @@ def test_derivatives_equal_those_of_the_kernels(name: str, tmp_path: Path) -> No
     Maps are tried near the identity and far from it in turn, each of them in every other chart.
     """
     chart, kernels, t = chart_of(name), kernels_of(name, tmp_path), sympy.Symbol("t")
-    for turn, which in enumerate(MAPS, [*NAMED, *OWN].index(name)):
+    for turn, which in enumerate(MAPS, [*KINDS, *OWN].index(name)):
         v, along = vector(chart, (1e-5, 0.6)[turn % 2]), np.round(sampling.generator("along", which).normal(size=6), 2)
         by_v = slopes(getattr(kernels, which), v)
         at = [sympy.Float(a, 60) + t * sympy.Rational(b) for a, b in zip(v, along, strict=True)]

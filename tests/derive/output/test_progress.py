@@ -8,9 +8,7 @@ import threading
 from collections.abc import Callable
 from pathlib import Path
 
-import nbformat
 import pytest
-from nbclient import NotebookClient
 from rich.progress import Progress, TaskID
 
 import derive
@@ -137,6 +135,9 @@ print("done")
 @pytest.mark.parametrize("interactive", ["1", "0"])
 def test_notebook_shows_a_bar_in_its_cell(interactive: str, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("TTY_INTERACTIVE", interactive)
+    import nbformat  # these take as long as the other tests of this file
+    from nbclient import NotebookClient
+
     notebook = nbformat.v4.new_notebook(cells=[nbformat.v4.new_code_cell(CELL)])
     NotebookClient(notebook, timeout=None, kernel_name="python3").execute()
     said = {output.name: output.text for output in notebook.cells[0].outputs}

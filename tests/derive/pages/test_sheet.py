@@ -166,6 +166,7 @@ def test_formulas_break_at_outer_signs_only() -> None:
 
 
 @pytest.mark.browser
+@pytest.mark.thorough
 def test_pdf_has_four_pages_of_a4(tmp_path: Path) -> None:
     assert dualcay("show", "--what", "sheet", "-o", "sheet.pdf", cwd=tmp_path).returncode == 0
     printed = (tmp_path / "sheet.pdf").read_bytes()
@@ -176,6 +177,7 @@ def test_pdf_has_four_pages_of_a4(tmp_path: Path) -> None:
 
 
 @pytest.mark.browser
+@pytest.mark.thorough
 @pytest.mark.parametrize("width", [390, 800])
 def test_no_formula_is_wider_than_its_column(written: Path, tmp_path: Path, width: int) -> None:
     text = written.read_text(encoding="utf-8").replace("</body>", f"{WIDE}</body>")

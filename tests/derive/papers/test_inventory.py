@@ -1,16 +1,16 @@
-"""Modules of the papers: inventories name the entries that decide each line, and imports run one way."""
+"""Files of the papers: inventories name the entries that decide each line, every name is used, and all are read."""
 
 from __future__ import annotations
 
-import importlib
 import re
-from dataclasses import replace
+import tomllib
 from itertools import pairwise
 
 import pytest
 
-from derive.claims.equation import Paper
-from derive.papers import PAPERS, Package, verify
+from derive.claims.language.operations import OPERATIONS
+from derive.claims.sheet import Sheet
+from derive.papers import PAPERS, verify
 from tests.support.imports import ROOT, sources
 
 pytestmark = pytest.mark.smoke
@@ -21,7 +21,7 @@ WITHOUT_NUMBERS = {"7"}  # numbered equations with no formula in the extracted t
 
 
 @pytest.fixture(params=PAPERS, ids=lambda paper: paper.short)
-def paper(request) -> Paper:
+def paper(request) -> Sheet:
     return request.param
 
 
@@ -59,15 +59,27 @@ def test_numbered_equations_are_compared_with_the_extracted_text(paper) -> None:
     assert without <= WITHOUT_NUMBERS
 
 
-def test_source_of_an_entry_is_its_module_or_file(paper) -> None:
-    for entry in paper.entries():
-        assert (ROOT / entry.source).is_file()
-        if entry.source.endswith(".toml"):
-            assert entry.source == f"derive/papers/{paper.slug.replace('-', '_')}.toml"
-            continue
-        holder = importlib.import_module(entry.source.removesuffix(".py").replace("/", "."))
-        assert entry.source.startswith(f"derive/papers/{paper.name}/sections/")
-        assert entry.number in {held.number for held in holder.ENTRIES}
+def test_source_of_an_entry_is_its_file(paper) -> None:
+    assert {entry.source for entry in paper.entries()} == {f"derive/papers/{paper.slug.replace('-', '_')}.toml"}
+
+
+def test_whole_file_can_be_read_and_every_name_is_used(paper) -> None:
+    data = tomllib.loads((ROOT / paper.entries()[0].source).read_text(encoding="utf-8"))
+    assert paper.problems == ()
+    assert paper.numbers == tuple(entry.number for entry in paper.entries())
+    claims = [str(row.get(key, "")) for row in data["equation"] for key in
+              ("claim", "reading", "domain", "condition", "corrected", "because")]  # fmt: skip
+    used = set(re.findall(r"\w+", " ".join([*claims, *data["definitions"].values()])))
+    names = {re.match(r"\w+", head)[0] for head in (*data["letters"], *data["definitions"])}
+    assert names <= used
+    assert data["latex"].keys() <= names | OPERATIONS.keys()
+
+
+def test_entries_of_some_numbers_are_those_of_all(paper) -> None:
+    some = {"13", "22"}
+    assert [(entry.number, entry.readings) for entry in paper.entries(some)] == [
+        (entry.number, entry.readings) for entry in paper.entries() if entry.number in some
+    ]  # fmt: skip
 
 
 def test_equations_are_chosen_by_string_or_list():
@@ -75,13 +87,6 @@ def test_equations_are_chosen_by_string_or_list():
         assert [result.equation.number for result in verify("condurache-popa-2023", equations)] == expected
     with pytest.raises(ValueError, match="no equation 999"):
         verify("condurache-popa-2023", "112,999")
-
-
-@pytest.mark.parametrize("paper", [p for p in PAPERS if isinstance(p, Package)], ids=lambda paper: paper.short)
-def test_words_of_a_package_follow_its_formulas(paper) -> None:
-    assert list(paper.words) == [entry.number for entry in paper.entries()]
-    with pytest.raises(KeyError, match="'22'"):
-        replace(paper, words={number: row for number, row in paper.words.items() if number != "22"}).entries()
 
 
 def test_imports_inside_the_toolkit_are_relative() -> None:

@@ -12,7 +12,8 @@ import pytest
 import sympy
 
 from derive.claims.equation import Entry
-from derive.claims.language.printed import Apply, Number, Symbol, Term, walk
+from derive.claims.language.names import CALL
+from derive.claims.language.printed import Apply, Number, Symbol, Term
 from derive.maps import Cayley, cayley_scalars
 from derive.maps.cayley import EQUATIONS
 from derive.papers import PAPERS
@@ -26,14 +27,25 @@ from derive.proof.phi_theorems import ANY_PHI
 from derive.proof.proved import STATED
 
 SYMBOLS = {
-    "R": m.R, "I": m.I, "v": m.v, "n": m.n, "q": m.q_hat, "p_n": m.p, "q_n": m.q,
-    "X": sympy.sqrt(m.x), "alpha": m.alpha, "u": m.u, "omega": m.omega, "omega_B": m.omega_body,
-    "skew omega_B": m.skew(m.omega_body), "dcay_n": m.dcay, "dcay_n⁻¹": m.dcay_inv,
-    "dcay_n⁻ᵀ": m.transpose(m.dcay_inv), "epsilon": m.epsilon, "rho": m.rho, "Q": m.Q,
-    "scalar": m.scalar, "vector": m.vector, "b": m.b, "b1": m.b_1, "b2": m.b_2,
-    "sigma": m.sigma, "sigma1": m.sigma_1, "sigma2": m.sigma_2, "j": m.j, "infinity": sympy.oo,
+    **dict.fromkeys(("R", "R_s", "R_au", "R_n"), m.R), **dict.fromkeys(("q_t", "q_au", "cay_qv"), m.q_hat),
+    **dict.fromkeys(("omega", "omega_v"), m.omega), **dict.fromkeys(("omega_B", "omega_vb"), m.omega_body),
+    **dict.fromkeys(("v", "vq"), m.v), "I": m.I, "n": m.n, "X": sympy.sqrt(m.x), "alpha": m.alpha, "u": m.u,
+    "skew_B": m.skew(m.omega_body), "Dcay_n": m.dcay, "Dcay_n_T": m.transpose(m.dcay), "Dcay_n_inv": m.dcay_inv,
+    "Dcay_n_inv_T": m.transpose(m.dcay_inv), "ε": m.epsilon, "rho": m.rho, "Q": m.Q, "q_s": m.scalar, "q_v": m.vector,
+    "b1": m.b_1, "b2": m.b_2, "sigma1": m.sigma_1, "sigma2": m.sigma_2, "k": m.j, "∞": sympy.oo,
 }  # fmt: skip
-"""Symbols of the theorems, by name in the paper."""
+"""Symbols of the theorems, by name in the file of the paper."""
+
+DEFINED = {
+    "pn": lambda n, x: m.p, "qn": lambda n, x: m.q, "qn2": lambda n, x: m.q**2, "group": lambda a: a,
+    "upper": lambda a: a, "times": lambda a, b: a * b, "Delta": m.sandwich,
+}  # fmt: skip
+"""Definitions with arguments."""
+
+STATED_OF = {
+    **dict.fromkeys(("lifts", "lifts_both", "q_is"), m.q_hat), "is_sigma_composed": m.sigma, "is_b_composed": m.b,
+}  # fmt: skip
+"""What a named relation is about: it is printed as equal to the arguments."""
 
 FUNCTIONS = {
     "skew": m.skew, "transpose": m.transpose, "rate": m.rate, "det": m.det, "vect": m.vect,
@@ -51,28 +63,21 @@ def converted(term: Term) -> Any:
     if isinstance(term, Number):
         return sympy.Integer(term.value)
     if isinstance(term, Symbol):
-        if term.name not in SYMBOLS:
-            raise OtherWordsError(term.name)
-        return SYMBOLS[term.name]
+        name = str(term.args[3])
+        if name not in SYMBOLS:
+            raise OtherWordsError(name)
+        return SYMBOLS[name]
     assert isinstance(term, Apply)
-    first = term.arguments[0]
-    if term.operator.name == "at":  # p_n(|v|)
-        return sandwich(*term.arguments) if first == DELTA else converted(first)
-    if term.operator.name == "of two" and isinstance(first, Symbol) and first.name == "R(α, u)":
-        return m.R
+    if name := called(term):
+        arguments = list(map(converted, term.arguments[1:]))
+        return DEFINED[name](*arguments) if name in DEFINED else converted(term.arguments[0])
     arguments = [converted(argument) for argument in term.arguments if not _is_bound(term, argument)]
     return _applied(term.operator.name, arguments)
 
 
-DELTA = next(
-    node
-    for entry in PAPERS[0].entries() if entry.number == "24"
-    for node in walk(entry.readings[0].statement) if isinstance(node, Symbol) and node.name == "Delta"
-)  # fmt: skip
-
-
-def sandwich(_: Term, quaternion: Term) -> Any:
-    return m.sandwich(converted(quaternion))
+def called(term: Term) -> str:
+    """Return the name of the definition that a term calls, or an empty text."""
+    return str(term.arguments[0].args[3]) if term.operator.name.startswith(CALL) else ""
 
 
 def _is_bound(term: Apply, argument: Term) -> bool:
@@ -102,12 +107,13 @@ def _applied(head: str, a: list[Any]) -> Any:
 
 def chains(statement: Term) -> Iterator[list[Any]]:
     """Yield, for every chain of equalities, its members that can be converted."""
-    if isinstance(statement, Apply) and statement.operator.name in ("both", "remark"):
+    if statement.operator.name == "both":
         for part in statement.arguments:
             yield from chains(part)
-    elif isinstance(statement, Apply) and statement.operator.name == "equal":
-        members = []
-        for member in statement.arguments:
+    elif statement.operator.name == "equal" or called(statement) in STATED_OF:
+        about = STATED_OF.get(called(statement))
+        members = [] if about is None else [about]
+        for member in statement.arguments[about is not None :]:
             try:
                 members.append(converted(member))
             except (OtherWordsError, TypeError):

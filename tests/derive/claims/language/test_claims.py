@@ -11,7 +11,7 @@ import sympy
 from derive.algebra import Quaternion, matrix
 from derive.claims.language.claims import statement
 from derive.claims.language.environment import Env
-from derive.claims.language.letters import LETTERS, letter
+from derive.claims.language.letters import LETTERS, letter, letters
 from derive.claims.language.names import Abbreviation, ClaimError, Scope, expanded
 from derive.claims.language.operations import OPERATIONS, written
 from derive.claims.language.printed import Symbol
@@ -22,11 +22,12 @@ from derive.claims.numbers.series import SeriesField
 LETTER = {
     "v": "vector", "w": "vector", "x": "real", "y": "real", "a": "real", "b": "positive", "c": "real", "n": "order",
     "k": "order", "R": "rotation", "A": "tensor", "B": "tensor", "q": "unit quaternion", "T": "pose", "xi": "twist",
-    "p": "vector", "u": "unit vector",
+    "p": "vector", "u": "unit vector", "f[k]": "vector",
 }  # fmt: skip
 SCOPE = Scope(
-    {name: letter(name, kind) for name, kind in LETTER.items()},
-    {"G": Abbreviation("G", ("w",), "I + skew(w)*norm(w)"), "L": Abbreviation("L", (), "L*2")},
+    {member: symbol for name, kind in LETTER.items() for member, symbol in letters(name, kind).items()},
+    {"G": Abbreviation("G", ("w",), "I + skew(w)*norm(w)"), "L": Abbreviation("L", (), "L*2"),
+     "M": Abbreviation("M", (), "x*skew(v)")},
 )
 
 
@@ -35,7 +36,7 @@ def value(text: str, **given: object) -> bool:
     claim = expanded(statement(text, SCOPE), SCOPE.abbreviations)
     with precision(256):
         values = {}
-        for i, symbol in enumerate(s for s in claim.atoms(Symbol) if s.name in LETTER and s.quantity.varies):
+        for i, symbol in enumerate(s for s in claim.atoms(Symbol) if s.name in SCOPE.letters and s.quantity.varies):
             kind = KINDS.get(symbol.quantity.name)
             numbers = [Fraction((7 * i + 5 * j) % 11 - 4, 7) or Fraction(1, 3) for j in range(kind.size if kind else 0)]
             plain = [abs(number) for number in numbers] if symbol.name in ("b", "x") else numbers
@@ -56,7 +57,8 @@ def test_example_of_an_operation_has_a_value_and_is_its_own_text(name: str) -> N
 @pytest.mark.parametrize(
     "text",
     ["-a**2 == -(a*a)", "a - (b - c) == a - b + c", "a/(b*c) == a/b/c", "(a + b)**2 == a**2 + 2*a*b + b**2",
-     "not (a == b) or a == b", "(-a)**2 == a**2", "0.25 == 1/4", "1 <= 2 <= 2", "R*v != 2*v", "a == a == a"],
+     "not (a == b) or a == b", "(-a)**2 == a**2", "0.25 == 1/4", "1 <= 2 <= 2", "R*v != 2*v", "a == a == a",
+     "cases(-x, x < 0, x) == norm(x)"],
 )  # fmt: skip
 def test_text_of_a_term_reads_as_the_term(text: str) -> None:
     claim = statement(text, SCOPE)
@@ -76,9 +78,19 @@ IDENTITIES = (
     "sum(k, 0, n, binomial(n, k)*x**k) == (1 + x)**n", "p(3, x) == 1 - 3*x", "cosh(x)**2 == 1 + sinh(x)**2",
     "acos(cos(b)) == b", "asin(sin(b)) == b", "floor(7/2) == 3", "atan2(sin(b), cos(b)) == b",
     "stack(v, w) == block([[v], [w]])", "entry(A, 2, 3) == entry(transpose(A), 3, 2)",
-    "G(2*v) == I + 4*norm(v)*skew(v)",
+    "G(2*v) == I + 4*norm(v)*skew(v)", "cases(-x, x < 0, x) == norm(x)", "cases(-x, x < 0, x, 0 <= x) == norm(x)",
     "sinc(x)*x == sin(x)", "log(q) == log(-(-q))", "dexp(v)*v == v", "matrix([[a, b], [c, x]])*matrix([[x], [y]]) == "
     "matrix([[a*x + b*y], [c*x + x*y]])", "left_jacobian(exp(xi), xi)*xi == xi", "x**b == exp(b*log(x))",
+    "product(k, 1, n, 2*k) == 2**n*factorial(n)",
+    "product(k, 1, 2, exp(skew(f[k]))) == exp(skew(f[1]))*exp(skew(f[2]))",
+    "sum(k, 0, infinity, x**k/factorial(k)) == exp(x)", "limit((1 + x/n)**n, n, infinity) == exp(x)",
+    "limit((I + skew(v)/n)**n, n, infinity) == exp(skew(v))", "limit((I + A/n)**(2*n), n, infinity) == exp(2*A)",
+    "at(jacobian(R*exp(skew(v))*w, v), v, 0) == -R*skew(w)", "at(x**2 + y, x, y) == y**2 + y",
+    "at(M, x, 2) == 2*skew(v)", "limit(M*x, x, 3) == 9*skew(v)",
+    "jacobian(R*w, R) == kron(transpose(w), I)", "jacobian(norm(u)*u, u) == I + dyad(u, u)",
+    "jacobian(norm(q)**2, q) == 2*transpose(stack(scalar(q), vector_part(q)))",
+    "expectation((A*w)*transpose(A*w), w, dyad(v, v)) == A*v*transpose(A*v)",
+    "expectation((x + b)**2, x, a**2) == a**2 + b**2", "sum(k, 1, 10**1, k) == 55",
 )  # fmt: skip
 """Identities that hold at the points of `value`; with one sign changed they fail."""
 
@@ -95,6 +107,15 @@ def test_derivative_is_taken_at_the_argument_of_a_definition() -> None:
     claim = expanded(statement("J(v) == J(v)", scope), scope.abbreviations)
     bound = {part.arguments[1].name for part in claim.arguments}
     assert bound.isdisjoint({"v"})  # the bound letter is not mistaken for v
+
+
+def test_definitions_do_not_know_letters_of_their_callers() -> None:
+    scope = Scope(SCOPE.letters, {"M": Abbreviation("M", (), "x*skew(v)"), "H": Abbreviation("H", ("x",), "M + x*I")})
+    claim = expanded(statement("H(2) == M", scope), scope.abbreviations)
+    assert written(claim) == "x*skew(v) + 2*I == x*skew(v)"
+    fresh = Scope(SCOPE.letters, {"M": Abbreviation("M", (), "x*skew(v)")})
+    with pytest.raises(ClaimError, match="here it is a number"):
+        statement("limit(M, v, 0) == M", fresh)
 
 
 def test_roots_that_differ_on_both_sides_have_no_derivative() -> None:
@@ -129,8 +150,15 @@ REFUSED = (
     ("entry(v, 4) == 1", 10, "from 1 to 3"), ("matrix([[1], [2, 3]]) == I", 1, "different lengths"),
     ("'a' == x", 1, "'a'"), ("v < w", 5, "an inequality takes numbers"), ("not v", 5, "a relation is expected"),
     ("R == q", 6, "compared with a quaternion"), ("R + v == R", 1, "has no meaning"), ("v/R == v", 1, "write inverse"),
+    ("cases(x, x) == 1", 1, "values with relations"), ("cases(x, x > 0, v) == 1", 1, "of one kind"),
     ("sum(k, 0, x, k) == 1", 11, "takes an integer"), ("jacobian(v, 2*v) == I", 13, "varies a letter"),
-    ("jacobian(u, u) == I", 13, "not a real unit vector"), ("L == 1", 1, "uses itself"), ("G(v, w) == I", 1, "takes 1"),
+    ("jacobian(T, T) == I", 13, "not a pose"), ("series(u, u, 1) == u", 11, "not a real unit vector"),
+    ("v**2 == 1", 1, "write norm(v)**2"), ("f == v", 1, "unknown letter 'f'"), ("f[9] == v", 3, "from 0 to 6"),
+    ("f[x] == v", 3, "an index is an integer"), ("w[1] == v", 1, "no family 'w'"),
+    ("infinity + 1 == x", 1, "no meaning"),
+    ("product(k, 1, infinity, k) == 1", 15, "takes an integer"), ("at(q, q, 0) == q", 10, "got 0"),
+    ("limit(M, v, 0) == M", 1, "here it is a number"),
+    ("L == 1", 1, "uses itself"), ("G(v, w) == I", 1, "takes 1"),
     ("block([[A], [v]]) == A", 1, "3, 1 columns"), ("identity(99) == I", 1, "from 1 to 12"), ("", 1, "nothing"),
     ("x == 1e99", 6, "up to 1e20"), ("(" * 60 + "x" + ")" * 60 + " == x == -" + "-" * 60 + "x", None, "brackets"),
     ("(" * 41 + "x" + ")" * 41 + " == x", 41, "brackets"), ("series(x, x, -1) == 1", 14, "from 0 to 64"),
@@ -153,7 +181,7 @@ def test_every_kind_of_letter_has_values(kind: str) -> None:
     symbol, shape = letter("a", kind)
     row = KINDS.get(symbol.quantity.name)
     if row is None:
-        assert kind.endswith(("order", "sign"))
+        assert kind.endswith(("order", "branch", "sign"))
         return
     built = row.build([Fraction(j + 2, 3) for j in range(row.size)])
     assert {"quaternion": isinstance(built, Quaternion), "number": not hasattr(built, "map"),

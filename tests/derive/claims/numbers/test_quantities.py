@@ -12,9 +12,9 @@ from derive.claims.deciding.claim import Claim, Place
 from derive.claims.equation import equation
 from derive.claims.language.operator_table import equal
 from derive.claims.language.printed import Symbol
-from derive.claims.numbers.balls import Ball, Balls, arb, precision
+from derive.claims.numbers.balls import Balls, precision
 from derive.claims.numbers.generic import Generic
-from derive.claims.numbers.kinds import KINDS, QUANTITIES, polynomial, special, sphere
+from derive.claims.numbers.kinds import KINDS, QUANTITIES, special, sphere
 
 EXACT = [quantity for quantity in QUANTITIES.values() if quantity.exact is not None]
 IN_PYTHON = [name for name, kind in KINDS.items() if QUANTITIES[name].exact and not kind.constant]
@@ -89,8 +89,8 @@ def test_constants_have_their_values() -> None:
 
 def test_quantities_with_separate_real_and_dual_parts() -> None:
     apart = {quantity.name for quantity in QUANTITIES.values() if quantity.apart}
-    real = {name for name, kind in KINDS.items() if not kind.dual} - {"rotation", "smooth function"}
-    assert apart == {*real, "real tensor", "real quaternion", "proposition", "line", "dual unit", "function of parts"}
+    real = {name for name, kind in KINDS.items() if not kind.dual} - {"rotation"}
+    assert apart == {*real, "dual unit", "function of parts"}
 
 
 def test_exact_values_have_the_declared_number_of_symbols() -> None:
@@ -110,24 +110,3 @@ def test_projected_points_lie_on_the_sphere() -> None:
         assert u.dot(u) == Dual(1, 0)
         for side, c in ((s, u.c1), (t, u.c2)):  # stereographic projection from (0, 0, −1)
             assert side * (1 + u.c3) == c
-
-
-# ---- functions -------------------------------------------------------------------------------------------------------
-
-
-def test_polynomials_have_these_values() -> None:
-    f = polynomial([1, 2, 3])
-    assert [f(a) for a in (0, 1, 2, -1)] == [1, 6, 17, 2]
-    assert [f.derivative(a) for a in (0, 1, 2, -1)] == [2, 8, 14, -4]
-
-
-def test_special_function_is_the_exponential() -> None:
-    with precision(256):
-        f, at = at_special("smooth function", "exponential"), Ball(arb(Fraction(7, 10)))
-        assert Balls().same(f(at), Balls().exp(at))
-        assert Balls().same(f.derivative(at), Balls().exp(at))
-
-
-def test_derivatives_match_the_function() -> None:
-    f, a = polynomial([1, 2, 3]), Fraction(7, 10)
-    assert f(Dual(a, 2)) == Dual(f(a), 2 * f.derivative(a))

@@ -17,6 +17,8 @@ from derive.claims.report import FORMATS, Report
 from derive.claims.report.forms import mathml
 from derive.claims.report.plain import escape, plain
 from derive.claims.result import Result, Status, Verdict
+from derive.claims.run import check_sheets
+from derive.claims.sheet import load
 from derive.papers import PAPERS, verify
 from derive.proof import theorems
 
@@ -103,12 +105,43 @@ def test_html_needs_no_network(report) -> None:
     assert not re.search(r"<article[^>]* hidden", page)  # all entries are visible without the script
 
 
-def test_markup_in_titles_is_escaped() -> None:
-    first = verify("karakilic-2010", ["unit"])[0]
-    evil = replace(first, equation=replace(first.equation, title="<b>a & b_c</b>"))
-    report = Report.of(PAPERS, [evil], [])
-    assert "&lt;b&gt;a &amp; b_c&lt;/b&gt;" in FORMATS["html"](report)
-    assert escape("<b>a & b_c</b>") == r"<b>a \& b\_c</b>"
+HOSTILE = """\ufeff
+[paper]
+title = "<script>a</script> | b"
+source = "[x](javascript:a) costs $5"
+[letters]
+x = "real"
+[[equation]]
+number = "<b>"
+title = "<script>a & b_c</script>"
+at = "page | <img src=x>"
+latex = 'a|b ` $x$ <script> {'
+claim = "x == x + 1"
+remark = "costs $5 <script> [a](javascript:b) | *x*, and $a_1|b$"
+[[equation]]
+number = "unknown"
+claim = "foo(x) == 1"
+"""
+
+
+@pytest.mark.parametrize("form", ["text", "markdown", "html", "latex"])
+def test_texts_of_a_file_are_shown_and_have_no_effect(form: str, tmp_path: Path) -> None:
+    (file := tmp_path / "hostile.toml").write_text(HOSTILE, encoding="utf-8")
+    paper = load(file)
+    page = FORMATS[form](Report.of([paper], check_sheets([paper]), (), "", paper.problems))
+    assert "unknown operation" in page
+    for wanted in {"text": ["a|b ` $x$ <script> {", "left 1, right 2"],
+                   "markdown": ["$`a|b ' $x$ <script> {`$", "`x = 1; left 1, right 2`",
+                                r"\| \*x\*, and $`a_1\vert b`$"],
+                   "html": ["a|b ` $x$ &lt;script&gt; {", "left 1, right 2", "&lt;script&gt;a &amp; b_c"],
+                   "latex": [r"\texttt{a|b ` \$x\$ <script> \{}", "left 1, right 2"]}[form]:  # fmt: skip
+        assert wanted in page
+    outside = re.sub(r"(?<!\\)(`+).*?(?<!\\)\1", "", page)  # code and formulas have no effect
+    if form == "markdown":
+        assert not re.search(r"<script|<img|(?<!\\)\]\(javascript|(?<!\\)\$5", outside)
+    if form == "html":
+        assert page.count("<script>") == 1
+    assert form != "latex" or page.replace(r"\{", "").count("{") == page.count("}")
 
 
 def test_latex_sheet_compiles(report, tmp_path: Path) -> None:

@@ -1,0 +1,76 @@
+"""Claims that together say what one claim says: without conjunctions, implications, negations and values by cases."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ..language.matrices import unlike
+from ..language.operator_table import equal, implies, negated
+from ..language.printed import Apply, Number, Symbol, Term, Trait
+from .claim import Claim
+
+CASES = "cases"
+"""First letters of the names of operators whose value depends on conditions."""
+
+
+def split(claim: Claim) -> Iterator[Claim]:
+    """Yield the claims that are true together where a claim is."""
+    statement = claim.statement
+    if statement.operator is implies:
+        premise, conclusion = statement.arguments
+        yield from split(claim.within(premise).with_statement(conclusion))
+    elif Trait.JOINS in statement.operator.traits:
+        for part in statement.arguments:
+            yield from split(claim.with_statement(part))
+    elif (opposite := denied(statement)) is not None:
+        yield from split(claim.with_statement(opposite))
+    elif (node := next(_by_cases(statement), None)) is not None:
+        for value, given in _arms(node):
+            yield from split(claim.within(*given).with_statement(statement.xreplace({node: value})))
+    else:
+        yield claim
+
+
+def denied(statement: Term) -> Term | None:
+    """Return the relation that a negation of a relation says, or None."""
+    if statement.operator is not negated:
+        return None
+    (inner,) = statement.arguments
+    return _opposite(inner)
+
+
+def _opposite(relation: Term) -> Term | None:
+    name, arguments = relation.operator.name, relation.arguments
+    if name == "equal" and len(arguments) == 2:
+        return unlike(*arguments)
+    if name in ("unlike", "nonzero"):
+        return equal(*arguments) if len(arguments) == 2 else equal(arguments[0], Number(0))
+    return relation.arguments[0] if relation.operator is negated else None
+
+
+def _by_cases(statement: Term) -> Iterator[Term]:
+    """Yield the values by cases in a statement, but for those inside of sums and derivatives, outer ones first."""
+    if isinstance(statement, Apply):
+        if statement.operator.name.startswith(CASES):
+            yield statement
+        elif not statement.operator.lazy:
+            for part in statement.arguments:
+                yield from _by_cases(part)
+
+
+def _arms(node: Term) -> Iterator[tuple[Term, tuple[Term, ...]]]:
+    """Yield the values of a term by cases, each with what is given there."""
+    arms = node.arguments
+    given: list[Term] = []
+    for value, condition in zip(arms[::2], arms[1::2], strict=False):
+        yield value, (*given, condition)
+        given.append(_opposite(condition) or negated(condition))
+    if len(arms) % 2:
+        yield arms[-1], tuple(given)
+
+
+def is_split(statement: Term) -> bool:
+    """Return whether no value by cases is left in a statement, as one inside of a sum is."""
+    if isinstance(statement, Symbol | Number):
+        return True
+    return not statement.operator.name.startswith(CASES) and all(map(is_split, statement.arguments))

@@ -1,0 +1,63 @@
+"""Control of proofs: a formula in use that is changed in one step is proved only if it stays true."""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Iterator, Sequence
+from contextlib import suppress
+from itertools import islice
+
+import pytest
+
+from derive.claims.decide import _premised
+from derive.claims.deciding.changes import changes
+from derive.claims.deciding.claim import Claim
+from derive.claims.deciding.identity import identical
+from derive.claims.deciding.ordering import ordered
+from derive.claims.deciding.places import Probe
+from derive.claims.equation import Entry
+from derive.claims.numbers.balls import BlurredError
+from docs.pages.field_facts import sheets
+
+ROWS = [entry for read in sheets() for entry in read.entries() if entry.corrected is None and entry.written is not None]
+POINTS = 12
+SORTS = ("sign", "factor", "swapped")
+
+
+def mutants(entries: Sequence[Entry], count: int) -> Iterator[Claim]:
+    """Yield claims with one sign, factor or order of operands changed, so many of each entry."""
+    source = random.Random(7)
+    for entry in entries:
+        steps = [changed for _, sort, _, changed in changes(entry.readings[0].statement) if sort in SORTS]
+        for changed in source.sample(steps, min(count, len(steps))):
+            with suppress(ValueError):  # a mutant may be no claim at all
+                yield _premised(Claim(entry, changed))
+
+
+def is_false(claim: Claim) -> bool:
+    """Return whether a claim is certainly false at one of a few points of its domain."""
+    for place in islice(Probe(claim).quick(), POINTS):
+        with suppress(BlurredError, ArithmeticError, TypeError, AttributeError, ValueError, IndexError):
+            if claim.truth(place) is False:
+                return True
+    return False
+
+
+def wrongly_proved(entries: Sequence[Entry], count: int) -> tuple[int, list[str]]:
+    """Return the number of mutants that are false, and those of them that are proved."""
+    false = [claim for claim in mutants(entries, count) if is_false(claim)]
+    proved = [claim for claim in false if identical(claim) is not None or ordered(claim)]
+    return len(false), [f"{claim.entry.number}: {claim.statement}" for claim in proved]
+
+
+def test_no_false_mutant_of_a_sample_is_proved() -> None:
+    count, wrong = wrongly_proved(ROWS[5::17], 1)
+    assert count >= 15
+    assert wrong == []
+
+
+@pytest.mark.thorough
+def test_no_false_mutant_is_proved() -> None:
+    count, wrong = wrongly_proved(ROWS, 2)
+    assert count >= 168
+    assert wrong == []
