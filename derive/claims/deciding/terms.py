@@ -14,16 +14,24 @@ RELATIONS = frozenset(("less", "at most", "greater", "at least", "unlike", "equa
 def at_zero(statement: Term, zero: Term | None, dual: bool) -> Term:
     """Return a statement with 0 for both sides of the relations whose sides differ by a number that vanishes.
 
-    Of dual numbers the real part vanishes alone.
+    Of dual numbers the real part vanishes alone, for the dual parts of a line are not those of a point.
     """
     if zero is None:
         return statement
     pairs = {node: node.arguments for node in walk(statement) if node.operator.name in RELATIONS}
     known = {node: node.operator(*[Number(0)] * len(sides)) for node, sides in pairs.items()
-             if bare(sides[0] if len(sides) == 1 or sides[1] == Number(0) else sides[0] - sides[1]) == zero
-             and len(sides) < 3 and not (dual and any(map(is_dual, sides)))}  # fmt: skip
+             if len(sides) < 3 and not (dual and _depends_on_dual_parts(*sides))
+             and bare(_difference(*sides)) == zero}  # fmt: skip
     found: Term = statement.xreplace(known)
     return found
+
+
+def _difference(a: Term, *rest: Term) -> Term:
+    return a - rest[0] if rest and rest[0] != Number(0) else a
+
+
+def _depends_on_dual_parts(*sides: Term) -> bool:
+    return any(map(is_dual, sides)) or Du.name in operators(*sides)
 
 
 def takes_parts(*parts: Term) -> bool:

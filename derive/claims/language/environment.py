@@ -74,7 +74,8 @@ class Env:
         return found
 
     def equal(self, a: Any, b: Any) -> bool:
-        return values.equal(self.field, a, b)
+        """Return whether two values are equal where the form of a value depends on it, in no claim."""
+        return values.equal(self.field.usual, a, b)
 
     def rate(self, a: Any) -> Any:
         if isinstance(a, Structure):

@@ -114,6 +114,11 @@ class Field(Elementary):
         return self.vanishes(a)
 
     @property
+    def usual(self) -> Field:
+        """The field in which numbers are equal that cannot be told apart."""
+        return self
+
+    @property
     def certain(self) -> Field:
         """The field whose relations decide against a claim: there an overlap of balls tells nothing."""
         return self
