@@ -13,6 +13,7 @@ from dataclasses import dataclass, replace
 from enum import Flag, auto
 from functools import lru_cache
 from typing import Any, Self
+from weakref import WeakValueDictionary
 
 from sympy import Basic, Integer
 from sympy.core.symbol import Str
@@ -65,8 +66,22 @@ def _infix(name: str) -> tuple[Build, Build]:
     return (lambda self, other: Apply(name, self, other)), (lambda self, other: Apply(name, other, self))
 
 
+named = lru_cache(None)(Str)
+KEPT: WeakValueDictionary[tuple[Any, ...], Any] = WeakValueDictionary()
+"""Terms in use, by class and parts."""
+
+
 class Term(Basic):  # type: ignore[misc]  # SymPy is untyped
-    """Formula or part of a formula. Python's operators build larger terms and accept integers."""
+    """Formula or part of a formula. Python's operators build larger terms and accept integers.
+
+    Equal terms are one object, so that a comparison or a look-up takes no time.
+    """
+
+    def __new__(cls, *parts: Basic) -> Self:
+        found = KEPT.get((cls, *parts))
+        if found is None:
+            found = KEPT[cls, *parts] = super().__new__(cls, *parts)
+        return found
 
     @property
     def operator(self) -> OperatorRow:
@@ -112,7 +127,7 @@ class Symbol(Term):
         name, quantity, latex, text = (str(part) for part in (name, quantity, latex or name, text or name))
         if quantity not in QUANTITIES:
             raise ValueError(f"no quantity {quantity!r}: expected {', '.join(QUANTITIES)}")
-        node: Self = super().__new__(cls, *map(Str, (name, quantity, latex, text)))
+        node: Self = super().__new__(cls, *map(named, (name, quantity, latex, text)))
         return node
 
     @property
@@ -131,7 +146,7 @@ class Apply(Term):
         name = str(operator)  # SymPy rebuilds a node from its own arguments
         if name not in OPERATORS:
             raise ValueError(f"no operator {name!r}")
-        node: Self = super().__new__(cls, Str(name), *(term(a) for a in arguments))
+        node: Self = super().__new__(cls, named(name), *map(term, arguments))
         return node
 
     @property
