@@ -13,7 +13,7 @@ from dataclasses import field as of_class
 from fractions import Fraction
 from typing import Any
 
-from ...algebra import Structure, Tensor
+from ...algebra import Dual, Quaternion, Structure, Tensor
 from ...algebra.element import Element, NotExactError
 from ...algebra.matrix import Matrix
 from ..language.environment import Env
@@ -25,7 +25,7 @@ from .claim import Claim, kind
 from .identity import ABSENT, STRICT, difference, not_negative, setting, with_free_product
 from .proof import COMPONENTWISE
 from .singular import size
-from .terms import RELATIONS, is_dual, operators
+from .terms import RELATIONS, is_dual, operators, takes_parts
 
 MARGIN = Fraction(1, 1000)
 """Distance from 0 of a number that is proved not to be 0 at generic values, so it is 0 nowhere."""
@@ -75,7 +75,7 @@ class Signs:
                 if self._is_matrix(difference(part)):
                     return  # a matrix that is not 0 may have no inverse
                 self.named.extend([difference(part), *(a for a in arguments[:1] if len(arguments) == 1)])
-                self.nonzero.extend(self.ring.factors(self.number(difference(part))))
+                self.nonzero.extend(self.ring.factors(self._not_0(difference(part))))
             elif name in STRICT:
                 gap = self.field.element(not_negative(self.env, part))
                 self.field.assumed += [gap, *self._squared(gap)]
@@ -85,6 +85,12 @@ class Signs:
                     self.assume(one)
         except ABSENT:
             return
+
+    def _not_0(self, part: Term) -> Element:
+        """Return a number that is not 0 where a term is not 0, the dual part of a term without real part."""
+        value = self.env.now(self.env.value(part))
+        only = isinstance(value, Dual) and not self.field.element(innermost(value.re))
+        return self.number(part, lambda a: innermost(a.du)) if only else self.number(part)
 
     def _squared(self, gap: Element) -> Iterator[Element]:
         """Yield ``a a - b b r r`` for a number ``a - b r`` that is not negative, with a root r and positive a and b."""
@@ -223,10 +229,12 @@ def _has_value(signs: Signs, part: Term, asked: str) -> bool:
             return signs.is_nonzero(signs.number(part))
         if asked == "not 0":
             return signs.is_nonzero(signs.number(part))
-        number = signs.number(part, innermost)
+        if isinstance(value, Quaternion) and any(value.vector):
+            return signs.is_positive(signs.number(part, lambda h: innermost(h.scalar)), strict=True)
+        number = signs.number(part, lambda a: innermost(a.scalar if isinstance(a, Quaternion) else a))
         if asked == "within 1":
             number = 1 - number * number
-        return signs.is_positive(number, strict=asked == "logarithm")
+        return signs.is_positive(number, strict=asked in ("logarithm", "positive"))
     except ABSENT:
         return False
 
@@ -285,7 +293,8 @@ def _partial(statement: Term, claim: Claim | None) -> Iterator[tuple[Term, str]]
         elif name == "inverse" or (name == "norm" and _has_slope(claim, arguments[0])):
             yield arguments[0], "not 0"
         elif name == "root":
-            yield arguments[0], "not negative"
+            has_slope = claim is not None and claim.dual and is_dual(arguments[0])
+            yield arguments[0], "positive" if has_slope else "not negative"
         elif name == "log":
             yield arguments[0], "logarithm"
         elif name in ("acos", "asin"):
@@ -298,4 +307,5 @@ def _partial(statement: Term, claim: Claim | None) -> Iterator[tuple[Term, str]]
 
 def _has_slope(claim: Claim | None, part: Term) -> bool:
     """Return whether rates of a part matter, or its dual part apart from the real one."""
-    return claim is not None and bool(claim.depth or (claim.apart and is_dual(part)))
+    return claim is not None and bool(
+        claim.depth or (takes_parts(claim.statement) and is_dual(part)))

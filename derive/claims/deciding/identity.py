@@ -44,7 +44,9 @@ Make = Callable[..., Generators]
 
 
 def orders_of(claim: Claim) -> str:
-    """Return the orders at which a claim is proved here, if it is about orders."""
+    """Return the orders at which a claim is proved here, if it is about more of them."""
+    if claim.entry.orders is not None:
+        return ""
     found = {value: None for fixed in claim.choices for a, value in fixed.items() if a.quantity is ORDER}
     return f", n = {', '.join(map(str, found))}" if found else ""
 

@@ -15,6 +15,7 @@ import sympy
 from ..language.matrices import at_least, at_most
 from ..language.operator_table import both, norm, pi
 from ..language.printed import Apply, Number, Symbol, Term, Trait
+from ..language.values import coefficients
 from ..numbers.derivation import Along
 from ..numbers.generators import Generators
 from ..numbers.signed import Bound
@@ -102,6 +103,9 @@ def _for_all_signs(claim: Claim, way: Way, test: Test) -> bool:
 def _holds(signs: Signs, relation: Term, whole: bool) -> bool:
     """Return whether an order relation is proved by the sign of its difference, at all values or at generic ones."""
     if relation.operator.name == "unlike":
+        parts = coefficients(signs.env.now(signs.env.value(difference(relation))))
+        if any(signs.is_nonzero(signs.field.element(a)) for a in parts):
+            return True  # also of values whose real parts are equal
         gap = signs.number(difference(relation))
         return signs.is_nonzero(gap) if whole else any(signs.is_positive(a - MARGIN) for a in (gap, -gap))
     gap, strict = signs.field.element(not_negative(signs.env, relation)), STRICT[relation.operator.name]

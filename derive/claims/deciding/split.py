@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import reduce
 
 from ..language.matrices import unlike
-from ..language.operator_table import equal, implies, negated
+from ..language.operator_table import both, equal, implies, negated
 from ..language.printed import Apply, Number, Symbol, Term, Trait
 from .claim import Claim
 
@@ -18,12 +19,15 @@ def split(claim: Claim) -> Iterator[Claim]:
     statement = claim.statement
     if statement.operator is implies:
         premise, conclusion = statement.arguments
-        yield from split(claim.within(premise).with_statement(conclusion))
+        yield from split(claim.within(affirmed(premise)).with_statement(conclusion))
+    elif statement.operator is negated and statement.arguments[0].operator is both:
+        first, *rest = statement.arguments[0].arguments
+        yield from split(claim.within(affirmed(first)).with_statement(negated(reduce(both, rest))))
     elif Trait.JOINS in statement.operator.traits:
         for part in statement.arguments:
             yield from split(claim.with_statement(part))
-    elif (opposite := denied(statement)) is not None:
-        yield from split(claim.with_statement(opposite))
+    elif (plain := affirmed(statement)) != statement:
+        yield from split(claim.with_statement(plain))
     elif (node := next(_by_cases(statement), None)) is not None:
         for value, given in _arms(node):
             yield from split(claim.within(*given).with_statement(statement.xreplace({node: value})))
@@ -31,12 +35,12 @@ def split(claim: Claim) -> Iterator[Claim]:
         yield claim
 
 
-def denied(statement: Term) -> Term | None:
-    """Return the relation that a negation of a relation says, or None."""
-    if statement.operator is not negated:
-        return None
-    (inner,) = statement.arguments
-    return _opposite(inner)
+def affirmed(statement: Term) -> Term:
+    """Return a statement with the relations that negations of relations say."""
+    if statement.operator is both:
+        return reduce(both, map(affirmed, statement.arguments))
+    opposite = _opposite(statement.arguments[0]) if statement.operator is negated else None
+    return statement if opposite is None else opposite
 
 
 def _opposite(relation: Term) -> Term | None:
@@ -63,7 +67,7 @@ def _arms(node: Term) -> Iterator[tuple[Term, tuple[Term, ...]]]:
     arms = node.arguments
     given: list[Term] = []
     for value, condition in zip(arms[::2], arms[1::2], strict=False):
-        yield value, (*given, condition)
+        yield value, (*given, affirmed(condition))
         given.append(_opposite(condition) or negated(condition))
     if len(arms) % 2:
         yield arms[-1], tuple(given)

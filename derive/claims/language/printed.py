@@ -78,7 +78,7 @@ class Term(Basic):  # type: ignore[misc]  # SymPy is untyped
     """
 
     def __new__(cls, *parts: Basic) -> Self:
-        found = KEPT.get((cls, *parts))
+        found: Self | None = KEPT.get((cls, *parts))
         if found is None:
             found = KEPT[cls, *parts] = super().__new__(cls, *parts)
         return found
