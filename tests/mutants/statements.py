@@ -9,7 +9,6 @@ from functools import partial
 from itertools import chain
 
 from derive.claims.decide import decide
-from derive.claims.deciding import python_entries
 from derive.claims.deciding.claim import Claim
 from derive.claims.deciding.places import Probe
 from derive.claims.equation import Entry, Reading
@@ -72,7 +71,7 @@ def tried(entry: Entry, statement: Term) -> Iterator[tuple[bool, bool | None, bo
     entry = replace(entry, readings=(Reading(statement),)).meant
     claim = Claim(entry, entry.readings[0].statement)
     probe = Probe(claim)
-    for place in python_entries.places(claim) if entry.in_python else chain(probe.first(), probe.zeros()):
+    for place in chain(probe.first(), probe.zeros()):
         with suppress(BlurredError):
             inside = entry.condition is None or bool(claim.truth(place, entry.condition))
             yield inside, claim.truth(place), place.pair

@@ -104,8 +104,8 @@ def _holds(signs: Signs, relation: Term, whole: bool) -> bool:
     """Return whether an order relation is proved by the sign of its difference, at all values or at generic ones."""
     if relation.operator.name == "unlike":
         parts = coefficients(signs.env.now(signs.env.value(difference(relation))))
-        if any(signs.is_nonzero(signs.field.element(a)) for a in parts):
-            return True  # also of values whose real parts are equal
+        if any(a and not signs.field.used(a) for a in map(signs.field.element, parts)):
+            return True  # a part is a number, as of ε, whose real part is 0
         gap = signs.number(difference(relation))
         return signs.is_nonzero(gap) if whole else any(signs.is_positive(a - MARGIN) for a in (gap, -gap))
     gap, strict = signs.field.element(not_negative(signs.env, relation)), STRICT[relation.operator.name]

@@ -12,9 +12,9 @@ import pytest
 from derive.claims.decide import _premised
 from derive.claims.deciding.changes import changes
 from derive.claims.deciding.claim import Claim
-from derive.claims.deciding.identity import identical
 from derive.claims.deciding.ordering import ordered
 from derive.claims.deciding.places import Probe
+from derive.claims.deciding.proof import proved
 from derive.claims.equation import Entry
 from derive.claims.numbers.balls import BlurredError
 from docs.pages.field_facts import sheets
@@ -46,8 +46,8 @@ def is_false(claim: Claim) -> bool:
 def wrongly_proved(entries: Sequence[Entry], count: int) -> tuple[int, list[str]]:
     """Return the number of mutants that are false, and those of them that are proved."""
     false = [claim for claim in mutants(entries, count) if is_false(claim)]
-    proved = [claim for claim in false if identical(claim) is not None or ordered(claim)]
-    return len(false), [f"{claim.entry.number}: {claim.statement}" for claim in proved]
+    wrong = [claim for claim in false if proved(claim) is not None or ordered(claim)]
+    return len(false), [f"{claim.entry.number}: {claim.statement}" for claim in wrong]
 
 
 def test_no_false_mutant_of_a_sample_is_proved() -> None:
