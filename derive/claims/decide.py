@@ -125,7 +125,7 @@ def _premised(claim: Claim) -> Claim:
 
 def _support(entry: Entry, identity: Term, orders: Sequence[int]) -> None:
     """Raise unless the supporting identity is proved; points where it is undefined are ignored."""
-    claim = Claim(replace(entry, condition=None, claimed=None, also={}, written=identity), identity, orders)
+    claim = Claim(replace(entry, condition=None, claimed=None, written=identity), identity, orders)
     finding = decided(claim)  # its condition is found
     if finding.status not in (Status.HOLDS, Status.HOLDS_IF):
         raise UndecidedError(f"({entry.number}): the supporting identity is not proved: {finding.method}")

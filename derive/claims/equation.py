@@ -62,12 +62,8 @@ class Entry(Typeset):
     condition: Term | None = None  # condition under which the equation was found to hold
     corrected: Term | None = None  # correction of an erratum
     because: Term | None = None  # identity that supports a statement for which points are only evidence
-    argument: str = ""  # name of the module whose argument proves the statement from this identity
-    also: Mapping[str, Mapping[Symbol, Any]] = field(default_factory=dict, compare=False)  # values at further points
     moving: bool = False  # whether symbols are functions of time although the statement has no rate
     orders: tuple[int, ...] | None = None  # orders that the entry is about; all by default
-    branches: int | None = None  # number of values of a branch symbol; n by default
-    components: bool = False  # whether single components occur; then no frame is chosen along the vectors
     lost: str = ""  # further characters lost by the extraction in this display
     undecided: str = ""  # why the claim is in words that no formula states; then it is not decided
     fixed_by: str = ""  # legible passage that decides between the readings
@@ -144,7 +140,6 @@ def require_complete(entry: Entry, lost: str) -> None:
         return
     unfaithful = not all(faithful(reading.statement, entry.extract, lost) for reading in entry.readings)
     mistakes = {
-        "an argument leads on from an identity that is proved": entry.argument and entry.because is None,
         "rates are nested, which claims of files may do": any(rate_depth(r.statement) > 1 for r in entry.readings),
         "a claimed domain and the words that state it come together": (entry.claimed is None) == bool(entry.stated),
         f"a reading does not have the characters of line {entry.line}": entry.extract and unfaithful,

@@ -10,8 +10,6 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
-from .deciding.proof import COMPONENTWISE
-from .deciding.terms import operators
 from .equation import Entry, Reading
 from .extracted import Latex
 from .language.claims import statement
@@ -52,13 +50,12 @@ class Transcript:
         parts = [part for part in found if part is not None]
         definitions = dict(self._definitions(parts)).values()
         inside = [*parts, *(body for _, body in definitions)]
-        heads = {name.split()[0] for name in operators(*inside) if name}
         line = row.get("line", 0)
         return Entry(
             row["number"], readings, line=line, extract=row.get("extract") or Latex(row.get("latex", "")),
             where=tuple(definition for definition, _ in definitions), claimed=domain, condition=_sharp(condition),
             corrected=corrected, because=because, orders=_orders(domain), moving=bool(with_trait(Trait.RATE, *inside)),
-            components=bool(heads & COMPONENTWISE), source=self.source, at=self._section(line),
+            source=self.source, at=self._section(line),
             abbreviations=self.scope.abbreviations,
             **{key: row[key] for key in WORDS if key in row},
         )  # fmt: skip

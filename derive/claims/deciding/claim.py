@@ -104,7 +104,7 @@ class Claim:
         return tuple(
             {**dict.fromkeys(order, n), **dict.fromkeys(branch, k), **dict.fromkeys(sign, s)}
             for n in (orders or self.entry.orders or self.orders if order else (1,))
-            for k in range((self.entry.branches or n) if branch else 1) for s in ((1, -1) if sign else (1,))
+            for k in range(n if branch else 1) for s in ((1, -1) if sign else (1,))
         )  # fmt: skip
 
     @cached_property

@@ -70,7 +70,7 @@ class Probe:
     def _discrete(self) -> dict[Symbol, Any]:
         n = self.random.choice(self.claim.entry.orders or ORDERS)
         values: dict[Quantity, Sequence[int]]
-        values = {ORDER: [n], SIGN: (-1, 1), BRANCH: range(self.claim.entry.branches or n)}
+        values = {ORDER: [n], SIGN: (-1, 1), BRANCH: range(n)}
         return {a: self.random.choice(values[a.quantity]) for a in self.claim.letters if a.quantity in values}
 
     def drawn(self, low: float = 0.3, high: float = 2.0) -> dict[Symbol, Any]:
@@ -85,7 +85,7 @@ class Probe:
 
     def first(self) -> Iterator[Place]:
         """Yield the points in the stated domain that are no zeros of singular parts; quick refutations come first."""
-        stages = (self._short(), self._generic(), self._wide(), self._far(), self._special(), self._given(),
+        stages = (self._short(), self._generic(), self._wide(), self._far(), self._special(),
                   self._related(), self._rates(), Uphill(self.claim).places(self.drawn()))  # fmt: skip
         return self._moved(chain.from_iterable(stages))
 
@@ -203,10 +203,6 @@ class Probe:
         for (a, label, one), (b, other, two) in self.random.sample(pairs, min(PAIRS_MAX, len(pairs))):
             at, parts = {**self.drawn(), **one.at, **two.at}, {**one.parts, **two.parts}
             yield Place(f"{a.name}: {label}, {b.name}: {other}", at, parts=parts, pair=True)
-
-    def _given(self) -> Iterator[Place]:
-        for label, values in self.claim.entry.also.items():
-            yield Place(label, self.drawn(), values=values)
 
     def _related(self) -> Iterator[Place]:
         """Yield points where two letters of like kinds are equal, opposite or parallel."""
