@@ -10,7 +10,7 @@ from functools import cached_property, reduce
 from itertools import chain
 from typing import Any
 
-from ...algebra import Dual, Structure
+from ...algebra import Dual
 from ...algebra.element import NotExactError
 from ..equation import Entry
 from ..language.environment import Env
@@ -47,7 +47,6 @@ class Place:
     generic: bool = False
     on: str = ""
     parts: Mapping[Symbol, Numbers] = field(default_factory=dict)  # dual parts and rates, if not by a fixed seed
-    values: Mapping[Symbol, Any] = field(default_factory=dict)  # values that coordinates do not reach
     pair: bool = False
     zero: Term | None = None  # number that certainly vanishes somewhere in the balls of the coordinates
     known: Mapping[Term, Term] = field(default_factory=dict)  # parts with a value that is certain there
@@ -55,12 +54,12 @@ class Place:
     @property
     def exact(self) -> bool:
         """Whether all numbers are rational."""
-        return not self.values and all(isinstance(c, int | Fraction) for c in self._numbers)
+        return all(isinstance(c, int | Fraction) for c in self._numbers)
 
     @property
     def sharp(self) -> bool:
         """Whether all numbers have no error."""
-        return not self.values and all(arb(c).is_exact() or isinstance(c, Fraction) for c in self._numbers)
+        return all(arb(c).is_exact() or isinstance(c, Fraction) for c in self._numbers)
 
     @property
     def _numbers(self) -> Iterator[Any]:
@@ -142,7 +141,6 @@ class Claim:
         values: dict[Symbol, Any] = {a: value for a, value in place.at.items() if a not in self.coordinates}
         for letter in self.coordinates:
             values[letter] = self.value(letter, place, field)
-        values |= {a: _lifted(value) for a, value in place.values.items()}
         return Env(field or Balls(moving=bool(self.depth)), values, self.entry.definitions, self.dual, self.depth)
 
     @cached_property
@@ -247,12 +245,6 @@ class Claim:
 
 def kind(letter: Symbol) -> Kind:
     return KINDS[letter.quantity.name]
-
-
-def _lifted(value: Any) -> Any:
-    if isinstance(value, Structure):
-        return value.map(_lifted)
-    return Dual(_lifted(value.re), _lifted(value.du)) if isinstance(value, Dual) else Ball(arb(value))
 
 
 def _equations(domain: Term) -> Iterator[Term]:
