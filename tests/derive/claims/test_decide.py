@@ -205,7 +205,7 @@ def test_statement_that_may_fail_at_special_symbols_is_unrefuted() -> None:
 
 def test_logic_and_cases_are_proved_by_their_parts() -> None:
     statements = (
-        implies(equal(a * b, 0), equal(b * a, 0)), implies(nonzero(Re(a)), equal(b / a * a, b)),
+        both(implies(nonzero(Re(a)), equal(b / a * a, b)), equal(b, b)), implies(equal(a * b, 0), equal(b * a, 0)),
         equal(cases(b, nonzero(Re(a)), b * 1), b), negated(both(nonzero(a), equal(a, 0))),
     )  # fmt: skip
     assert {decided(statement).method for statement in statements} == {"exact"}
