@@ -30,7 +30,7 @@ from .places import Probe
 from .proof import proved
 from .regions import REGION_MIN, Region, branched, region
 from .singular import ORDERED
-from .split import affirmed, is_split, split
+from .split import is_split, split
 from .terms import operators
 
 JUMPS = frozenset(("atan2 of two", "arctan", "acos", "asin", "log"))
@@ -266,11 +266,9 @@ def _stated(claim: Claim, early: Callable[[Finding], None]) -> Finding:
                        failing=finding.outside)  # fmt: skip
     if condition is None or not finding.holds:
         return finding
-    beyond, outside = Outcome(), negated(condition)
-    for stated in dict.fromkeys((outside, affirmed(outside))):  # points are moved onto the equation of the second
-        probe = Probe(other := claim.within(stated), condition)
-        if not beyond.points:
-            beyond.tried(other, chain(probe.first(), probe.zeros()), lambda outcome: False)
+    other = claim.within(negated(condition))
+    probe = Probe(other, condition)
+    beyond = Outcome().tried(other, chain(probe.first(), probe.zeros()), lambda outcome: False)
     if not beyond.points:
         return Finding(Status.UNDECIDED, "no point outside its condition")
     if wrong := contradicted(claim, beyond):
