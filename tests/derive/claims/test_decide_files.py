@@ -70,6 +70,7 @@ OPEN = [
     ("(16 - dot(v, v))*(16 - dot(w, w)) - 64*dot(v, w) + (16 + dot(v, v))*(16 + dot(w, w)) != 0", VW),
     ("integral(norm(t), t, 1, 1) == 0", {}), ("x == 0 or x != 0", X),
     ("factorial(n + 1) == (n + 1)*factorial(n)", {"n": "order"}),
+    ("sqrt(1 - norm(sin(t)*u)**2) == sqrt(1 - sin(t)**2)", {"t": "dual angle", "u": "unit dual vector"}),
 ]  # fmt: skip
 """Claims that no rule proves, and that no point refutes with certainty; the fourth and fifth are false."""
 CONDITIONS = [
