@@ -14,6 +14,7 @@ from .deciding.claim import ORDERS, Claim
 from .deciding.conditions import is_sharp
 from .deciding.counterexample import outside_words, shown_at
 from .deciding.finding import Finding, Outcome, decided
+from .deciding.identity import with_vectors_for_lengths
 from .deciding.places import places
 from .deciding.proof import proved
 from .equation import Entry, Reading, UndecidedError, require_complete
@@ -109,11 +110,17 @@ def _corrected(claim: Claim, finding: Finding) -> tuple[Status, str]:
 
 
 def _premised(claim: Claim) -> Claim:
-    """Return the claim with the premise of an implication as part of the stated domain, of a file."""
+    """Return the claim with the premise of an implication as part of the stated domain, of a file.
+
+    A magnitude that is 0 there is written as its vector.
+    """
     while claim.entry.of_file and claim.statement.operator is implies:
         premise, statement = claim.statement.arguments
         claimed = premise if claim.entry.claimed is None else both(claim.entry.claimed, premise)
         claim = replace(claim, entry=replace(claim.entry, claimed=claimed), statement=statement)
+    if claim.entry.of_file and claim.entry.claimed is not None:
+        claimed = with_vectors_for_lengths(claim.entry.claimed)
+        return replace(claim, entry=replace(claim.entry, claimed=claimed))
     return claim
 
 

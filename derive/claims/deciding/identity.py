@@ -15,13 +15,13 @@ from typing import Any
 
 from ...algebra.element import NotExactError
 from ..language.environment import Env
-from ..language.matrices import inverse
+from ..language.matrices import inverse, zeros
 from ..language.operations import written
-from ..language.operator_table import both, over
+from ..language.operator_table import both, equal, over
 from ..language.printed import Number, Symbol, Term, Trait, symbols, walk, with_trait
 from ..numbers.fields import innermost
 from ..numbers.generators import Generators
-from ..numbers.kinds import ORDER
+from ..numbers.kinds import KINDS, ORDER
 from ..numbers.residues import SURE_BITS, Residues, UnluckyError
 from .claim import Claim, kind
 from .polar import Polar, Way, bounds, closed_letters
@@ -164,11 +164,35 @@ def with_solved_equations(claim: Claim) -> Claim:
         a, b = part.arguments if part.operator.name == "equal" and len(part.arguments) == 2 else (part, part)
         for letter, value in ((a, b), (b, a)):
             free = letter in claim.coordinates and kind(letter).free == kind(letter).spread == ""
+            value = zero_like(letter) if free and value in (Number(0), Number(0) * letter) else value
             if free and letter not in symbols(value):
                 rest = [one.xreplace({letter: value}) for one in domain if one is not part]
                 entry = replace(claim.entry, claimed=reduce(both, rest) if rest else None)
                 return with_solved_equations(Claim(entry, claim.statement.xreplace({letter: value}), claim.orders))
     return claim
+
+
+def zero_like(letter: Symbol) -> Term:
+    """Return the zero of a letter's kind; 0 for a kind without a matrix, which 0 equals too."""
+    rows = {3: (3, 1), 6: (6, 1), 9: (3, 3)}.get(kind(letter).size)
+    zero: Term = Number(0) if rows is None else zeros(*map(Number, rows))
+    return zero
+
+
+def with_vectors_for_lengths(domain: Term) -> Term:
+    """Return a domain with ``v == 0`` for ``norm(v) == 0`` and ``dot(v, v) == 0``, which have no derivative there."""
+    parts = [part.arguments[0] for part in conjuncts(domain)
+             if part.operator.name == "equal" and part.arguments[1:] == (Number(0),)]  # fmt: skip
+    null = {part: part.arguments[0] for part in parts
+            if _is_square(part)}  # fmt: skip
+    return domain.xreplace({equal(part, 0): equal(vector, 0) for part, vector in null.items()})
+
+
+def _is_square(part: Term) -> bool:
+    """Return whether a term is the magnitude of a real letter, or its square as a scalar product."""
+    name, arguments = part.operator.name, part.arguments
+    letter = arguments[0] if name == "norm" or (name == "dot" and arguments[0] == arguments[1]) else None
+    return isinstance(letter, Symbol) and letter.quantity.name in KINDS and not kind(letter).dual
 
 
 def with_free_product(claim: Claim, *further: Term) -> tuple[Claim, tuple[Term, ...]]:

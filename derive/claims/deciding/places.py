@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import random
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import replace
 from fractions import Fraction
-from functools import cached_property
+from functools import cached_property, partial
 from itertools import chain, combinations, islice
 from typing import Any
 
@@ -286,15 +286,16 @@ class Probe:
         positive = [a for a in self.claim.coordinates if kind(a).spread == "positive"]
         return None if place is None or any(c <= 0 for a in positive for c in place.at[a]) else place
 
-    def roots_along(self, part: Term, letter: Symbol) -> tuple[str, list[float]] | None:
-        """Return the name of a letter's value and the values at which a part vanishes, if they are those of a line."""
+    def roots_along(self, part: Term, letter: Symbol) -> tuple[str, list[float], Callable[[float], bool]] | None:
+        """Return the name of a letter's value, those at which a part vanishes on all lines, and whether one is such."""
         line, part = next(self._lines(letter), None), bare(part)
         if line is None or not (line.radial or kind(letter).size == 1):
             return None
         found = line.roots(Singular(part, size))
         known = self.roots.get((part, letter), found)
         alike = len(known) == len(found) and all(abs(a - b) < 1e-9 for a, b in zip(known, found))
-        return (line.shown, found) if alike else None
+        vanishes = partial(line.vanishes_at, Singular(part, size))
+        return (line.shown, found, vanishes) if alike and all(map(vanishes, found)) else None
 
     def _lines(self, letter: Symbol) -> Iterator[Line]:
         return lines(self.claim, letter, self.drawn(0.5, 1.5), self.random)

@@ -30,6 +30,8 @@ NEAR = Fraction(1, 1000)
 """Distance of a point beside a zero, relative to the zero."""
 ASIDE = Fraction(1, 2**30)
 """Distance from a zero on the grid at which the search for others goes on, relative to the zero."""
+BESIDE, SMALL = 2.0**-6, 2.0**-30
+"""Distance from a supposed zero that is no zero, and how small the number is at the zero, beside that."""
 INTEGERS_MAX = 64
 """Size of the integers and orders at which zeros are sought."""
 FINE, WIDTH = 512, 160
@@ -81,6 +83,12 @@ class Line:
         """Return the zeros of a singular part along the line, those near 0 first."""
         with precision(FINE):
             return [float(t) for t in self._roots(part)]
+
+    def vanishes_at(self, part: Singular, t: float) -> bool:
+        """Return whether a singular part is near 0 at a number, and not beside it."""
+        with precision(FINE):
+            at, beside = (self.value(part, Ball(flint.arb(s))) for s in (t, t + BESIDE))
+        return at is not None and beside is not None and bool(abs(at) < abs(beside) * SMALL)
 
     def _roots(self, part: Singular, brief: bool = False) -> list[Any]:
         grid = [*(Fraction(k, 2) for k in range(1, 20 if brief else 40)), *(() if brief else FAR)]

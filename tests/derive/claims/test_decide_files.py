@@ -141,6 +141,20 @@ def test_what_only_survives_its_points_is_unrefuted(text: str, letters: dict[str
     assert f"true at {found.points} points" in found.method or "more too close to tell" in found.method
 
 
+@pytest.mark.parametrize(
+    ("divisor", "at_zeros"), [("sqrt(x**2) + x", "all x <= 0"), ("sqrt((x - 1)**2) + sqrt((x - 2)**2) - 1", "[1, 2]")]
+)
+def test_zeros_of_an_interval_are_no_list_of_values(divisor: str, at_zeros: str) -> None:
+    assert judged(f"1/({divisor}) == 1/({divisor})", X).found in (f"{divisor} != 0", f"{divisor} > 0"), at_zeros
+
+
+@pytest.mark.parametrize("domain", ["d == 0", "norm(d) == 0", "dot(d, d) == 0", "d == 0*d"])
+def test_a_perturbation_may_be_stated_as_zero(domain: str) -> None:
+    letters = {"d": "vector", "w": "vector"}
+    assert str(judged("exp(skew(d))*w == w", letters, domain).status) == "holds"
+    assert str(judged("exp(skew(d))*w == 2*w", letters, domain).status) == "false"
+
+
 @pytest.mark.parametrize(("text", "letters", "condition"), CONDITIONS, ids=str)
 def test_conditions_are_found(text: str, letters: dict[str, str], condition: str) -> None:
     found = judged(text, letters)
