@@ -181,11 +181,10 @@ def zero_like(letter: Symbol) -> Term:
 
 def with_vectors_for_lengths(domain: Term) -> Term:
     """Return a domain with ``v == 0`` for ``norm(v) == 0`` and ``dot(v, v) == 0``, which have no derivative there."""
-    parts = [part.arguments[0] for part in conjuncts(domain)
-             if part.operator.name == "equal" and part.arguments[1:] == (Number(0),)]  # fmt: skip
-    null = {part: part.arguments[0] for part in parts
-            if _is_square(part)}  # fmt: skip
-    return domain.xreplace({equal(part, 0): equal(vector, 0) for part, vector in null.items()})
+    sides = (part.arguments for part in conjuncts(domain) if part.operator.name == "equal")
+    squares = [a for a, *rest in sides if rest == [Number(0)] and _is_square(a)]
+    plain: Term = domain.xreplace({equal(a, 0): equal(a.arguments[0], 0) for a in squares})
+    return plain
 
 
 def _is_square(part: Term) -> bool:
