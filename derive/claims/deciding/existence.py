@@ -106,12 +106,18 @@ class Signs:
 
     def _letters(self, a: Element) -> set[str]:
         """Return the names of the letters on which a number depends."""
-        found: set[str] = set()
-        for name in self.field.used(a):
-            known = self.field.meaning.get(name, ("", ()))[1]
-            parts = known if isinstance(known, tuple) else (known,)
-            found |= set().union(*map(self._letters, parts)) if parts else {name.split(".")[0]} - {"pi"}
-        return found
+        meaning = self.field.meaning
+
+        def of(number: Any, above: frozenset[str]) -> Iterator[str]:
+            for name in self.field.used(number):
+                known = meaning.get(name, ("", ()))[1]
+                parts = known if isinstance(known, tuple) else (known,)
+                if not parts or name in above:  # an angle may be that of a point given by its own tangent
+                    yield name.split(".")[0]
+                for part in parts if name not in above else ():
+                    yield from of(part, above | {name})
+
+        return {*of(a, frozenset())} - {"pi"}
 
     def _is_root_apart(self, factor: Any) -> bool:
         """Return whether a factor is the root of a number that is 0 nowhere."""

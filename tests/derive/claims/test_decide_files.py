@@ -79,6 +79,7 @@ CONDITIONS = [
     ("atan(tan(a)) == a", A, "norm(a) < pi/2"), ("(x - 1)**2/(x - 1)**2 == 1", X, "x != 1"),
     ("inverse(I - dyad(v, v))*(I - dyad(v, v)) == I", V, "norm(v) != 1"),
     ("log(exp(skew(v))) == skew(v)", V, "norm(v) < pi"), ("exp(log(R)) == R", R, "trace(R) != -1"),
+    ("rate(vect(log(R))) == inverse(dexp(vect(log(R))))*vect(rate(R)*transpose(R))", R, "trace(R) != -1"),
     ("acos(cos(x)) == x", X, "0 <= x and x <= pi"), ("rate(norm(v)) == dot(v, rate(v))/norm(v)", V, "norm(v) != 0"),
     ("inverse(dexp(v))*dexp(v) == I", V, "norm(v) != 2*k*pi for k = 1, 2, …"),
     ("norm(x*v) == x*norm(v)", {**X, **V}, "x*norm(v) >= 0"), ("tan(a)*cos(a) == sin(a)", A, "cos(a) != 0"),
