@@ -29,7 +29,7 @@ ORDER = {
     ),
     "derive.claims.deciding": (
         "claim", "constrained", "singular", "zeros", "proof", "polar", "identity", "equal_sides", "uphill", "places",
-        "conditions", "existence", "ordering", "regions", "changes", "counterexample", "finding",
+        "conditions", "partial", "existence", "ordering", "regions", "changes", "counterexample", "finding",
     ),
     "derive.codegen": (
         "programs", "lowering", "rows", "signatures", "validation", "package", "targets", "catalogue",

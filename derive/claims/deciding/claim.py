@@ -14,7 +14,7 @@ from ...algebra import Dual, Structure
 from ...algebra.element import NotExactError
 from ..equation import Entry
 from ..language.environment import Env
-from ..language.operator_table import both, cos, epsilon, equal, negated, sin
+from ..language.operator_table import both, cos, epsilon, equal, infinity, negated, sin
 from ..language.printed import Apply, Number, Symbol, Term, Trait, rate_depth, symbols, walk, with_trait
 from ..numbers.balls import PRECISIONS, Ball, Balls, BlurredError, arb, precision
 from ..numbers.fields import Constants, Field
@@ -183,9 +183,11 @@ class Claim:
         part = (self.statement if statement is None else statement).xreplace(dict(place.known))
         try:
             found: bool | None = self.evaluated(place, part, bool)
+            if found is False and _is_endless(part):
+                raise BlurredError
         except BlurredError:
             field = Constants() if place.exact else Balls(loose=True) if place.zero in _related(part) else None
-            if field is None:
+            if field is None or _is_endless(part):
                 raise
             try:
                 with precision(PRECISIONS[0]):
@@ -246,6 +248,11 @@ def _equations(domain: Term) -> Iterator[Term]:
             yield from _equations(part)
     elif domain.operator is equal:
         yield domain
+
+
+def _is_endless(part: Term) -> bool:
+    """Return whether a term has a sum without end, whose rest has no bound, so that it refutes nothing."""
+    return any(node.operator.name == "sum" and infinity in node.arguments for node in walk(part))
 
 
 def operators(*statements: Term) -> set[str]:

@@ -8,10 +8,11 @@ from fractions import Fraction
 
 from ...algebra import Structure, Tensor
 from ...algebra.matrix import Matrix
+from ..language.calculus import BINDERS
 from ..language.environment import Env
 from ..language.matrices import at_least, at_most, greater, unlike
 from ..language.operations import written
-from ..language.operator_table import Re, cos, det, nonzero, norm, over, sin, trace
+from ..language.operator_table import Re, cos, det, equal, nonzero, norm, over, sin, trace
 from ..language.printed import Number, Term, Trait, symbols
 from ..numbers.balls import BlurredError, precision
 from ..numbers.fields import innermost
@@ -32,6 +33,8 @@ class Exclusion:
     def term(self) -> Term | None:
         """The requirement as a statement, if it is a relation."""
         sign, _, number = self.relation.partition(" ")
+        if sign == "has":
+            return equal(self.subject, self.subject)
         relation = {"!=": unlike, ">=": at_least, ">": greater, "<=": at_most}.get(sign)
         return None if relation is None else relation(self.subject, Number(int(number)))
 
@@ -69,6 +72,8 @@ def fault(env: Env, node: Term) -> Exclusion | None:
         return Exclusion((cos if name == "tan" else sin)(*arguments), "!= 0")
     if name == "atan2 of two":
         return Exclusion(norm(arguments[0]) + norm(arguments[1]), "!= 0")
+    if name in BINDERS:
+        return Exclusion(node, "has a value")
     zero = next((a for a in arguments if symbols(a) and _vanishes(env, a)), None)
     return Exclusion(node, "has a value") if zero is None else Exclusion(zero, "!= 0")
 

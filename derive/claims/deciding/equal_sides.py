@@ -19,7 +19,7 @@ from typing import Any
 from ..language.matrices import exp
 from ..language.operator_table import tan
 from ..language.printed import Apply, Number, Symbol, Term, Trait, symbols, walk
-from ..numbers.balls import BlurredError
+from ..numbers.balls import BlurredError, arb
 from ..numbers.generators import Generators
 from .claim import Claim, Place, bare, kind
 from .identity import ABSENT, STRICT, difference, setting, whole_steps
@@ -44,7 +44,7 @@ def equal_places(claim: Claim, at: dict[Symbol, Any], source: Random) -> Iterato
             found = (place for factor in islice(_factors(claim, zero), FACTORS_MAX)
                      for place in _zeros(claim, factor, at, source, True) if place.zero == factor)  # fmt: skip
             for place in found:
-                if _has_sides(claim, node, place):
+                if _has_sides(claim, node, place) and _is_zero(claim, zero, place):
                     yield replace(place, zero=None, known={node: known})
     for part in islice(_arguments(claim.statement), ARGUMENTS_MAX):
         yield from _zeros(claim, part, at, source)
@@ -56,6 +56,13 @@ def _equalities(node: Term) -> Iterator[tuple[Term, Term]]:
         yield difference(node), Apply(node.operator.name, 0, 0)
     else:
         yield from ((node.arguments[0] - k, k) for k in FLOORS)
+
+
+def _is_zero(claim: Claim, zero: Term, place: Place) -> bool:
+    """Return whether a difference has a value at a zero of its factor, and no other than 0 for signs of roots there."""
+    with suppress(*ABSENT, BlurredError):
+        return bool(arb(claim.evaluated(replace(place, zero=None), zero, size)).contains(0))
+    return False
 
 
 def _has_sides(claim: Claim, node: Term, place: Place) -> bool:

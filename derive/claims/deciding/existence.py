@@ -13,16 +13,19 @@ from dataclasses import field as of_class
 from fractions import Fraction
 from typing import Any
 
+import sympy
+
 from ...algebra import Structure, Tensor
 from ...algebra.element import Element, NotExactError
 from ...algebra.matrix import Matrix
 from ..language.environment import Env
-from ..language.operator_table import cos, det, norm, sin
-from ..language.printed import Number, Symbol, Term
+from ..language.printed import Term
 from ..numbers.fields import innermost
 from ..numbers.generators import Generators
+from ..numbers.intervals import interval
 from .claim import Claim, kind, operators
 from .identity import ABSENT, STRICT, difference, not_negative, setting, with_free_product
+from .partial import OPEN, is_invertible, is_named, partial_operations
 from .proof import COMPONENTWISE
 from .singular import size
 
@@ -38,6 +41,7 @@ class Signs:
 
     env: Env
     nonzero: list[Any] = of_class(default_factory=list)
+    apart: list[Element] = of_class(default_factory=list)  # numbers that are not 0
     named: list[Term] = of_class(default_factory=list)  # terms that are not 0
     free: bool = False  # whether a frame may be turned so that no direction is the one that polar forms leave out
     numbers: frozenset[str] = frozenset()  # letters that reach all their values
@@ -70,7 +74,8 @@ class Signs:
                 if self._is_matrix(difference(part)):
                     return  # a matrix that is not 0 may have no inverse
                 self.named.extend([difference(part), *(a for a in arguments[:1] if len(arguments) == 1)])
-                self.nonzero.extend(self.ring.factors(self.number(difference(part))))
+                self.apart.append(self.number(difference(part)))
+                self.nonzero.extend(self.ring.factors(self.apart[-1]))
             elif name in STRICT:
                 gap = self.field.element(not_negative(self.env, part))
                 self.field.assumed += [gap, *self._squared(gap)]
@@ -90,8 +95,33 @@ class Signs:
 
     def is_nonzero(self, a: Element) -> bool:
         """Return whether a number is proved to be 0 nowhere."""
-        return bool(a) and (all(map(self._is_apart, self.ring.factors(a))) or (
+        if a in self.apart or -a in self.apart:
+            return True
+        return bool(a) and self._is_apart_at_half_turns(a) and (all(map(self._is_apart, self.ring.factors(a))) or (
             not self.free and any(self.field.is_positive(b - MARGIN) for b in (a, -a))))
+
+    def _is_apart_at_half_turns(self, a: Element) -> bool:
+        """Return whether a number is not 0 where the tangent of an angle is infinite, which generators leave out."""
+        for (what, monomial), name in self.field.meanings.items():
+            low, high = interval(self.field, monomial)
+            end, most = self.field.steps * sympy.pi, max(abs(low), abs(high))
+            reached = most > end or (most == end and any(other in self.ring.closed for other, _ in monomial))
+            if what != "tangent" or not reached or name not in self.field.used(a):
+                continue
+            i = self.ring.index(name)
+            above, below = (max((powers[i] for powers in self.ring.library.terms(part)), default=0)
+                            for part in (a.numerator, a.denominator))  # fmt: skip
+            if above < below or (above == below and not self.is_nonzero(self._leading(a.numerator, i, above))):
+                return False
+        return True
+
+    def _leading(self, polynomial: Any, i: int, power: int) -> Element:
+        """Return the coefficient of a power of a generator in a polynomial."""
+        terms = self.ring.library.terms(polynomial).items()
+        found: Element = sum((c * self.field.product([(name, k) for name, k in zip(self.ring.names, powers, strict=True)
+                                                      if k and name != self.ring.names[i]])
+                              for powers, c in terms if powers[i] == power), self.field.element(0))  # fmt: skip
+        return found
 
     def _is_apart(self, factor: Any) -> bool:
         """Return whether a factor is 0 nowhere; that of several letters also in limits of polar forms."""
@@ -174,9 +204,20 @@ def is_frame_free(claim: Claim) -> bool:
     return COMPONENTWISE.isdisjoint(name.split()[0] for name in operators(*claim.parts) if name)
 
 
-def signs_of(claim: Claim, condition: Sequence[Term] = ()) -> list[Signs]:
-    """Return the signs for each choice of orders, with what domain and condition say."""
-    return [signs_in(claim, setting(claim, Generators, fixed, real=True), condition) for fixed in claim.choices]
+def signs_of(claim: Claim, condition: Sequence[Term], parts: Sequence[Term]) -> list[Signs]:
+    """Return the signs for each choice of orders and of signs of the roots in parts, with what the domain says."""
+    found: list[Signs] = []
+    for fixed in claim.choices:
+        waiting: list[tuple[int, ...]] = [()]
+        while waiting:
+            chosen = waiting.pop()
+            signs = signs_in(claim, setting(claim, Generators, fixed, chosen, True), condition)
+            for part in parts:
+                with suppress(*ABSENT):
+                    signs.env.value(part)
+            waiting += [(*signs.field.signs[:i], -1) for i in range(len(chosen), len(signs.field.roots))]
+            found.append(signs)
+    return found
 
 
 def signs_in(claim: Claim, env: Env, condition: Sequence[Term] = ()) -> Signs:
@@ -192,17 +233,22 @@ def signs_in(claim: Claim, env: Env, condition: Sequence[Term] = ()) -> Signs:
 def undecided_parts(claim: Claim, condition: Sequence[Term] = ()) -> list[Term]:
     """Return the partial operations of a claim that are not proved to have a value."""
     claim, condition = with_free_product(claim, *condition)
+    asking = list(partial_operations(claim.statement, bool(claim.depth or claim.dual)))
+    given = [part.arguments[0] for part in condition if part.operator.name == "equal"]  # those have a value
+    asking = [row for row in asking if row[0] not in given]
+    parts = list(dict.fromkeys(part for part, _ in asking))
     try:
-        every = signs_of(claim, condition)
+        every = signs_of(claim, condition, parts)
     except ABSENT:
-        return list(dict.fromkeys(part for part, _ in _partial(claim.statement, bool(claim.depth or claim.dual))))
-    open_parts = [part for part, asked in _partial(claim.statement, bool(claim.depth or claim.dual))
-                  if not all(_has_value(signs, part, asked) for signs in every)]  # fmt: skip
+        return parts
+    open_parts = [part for part, asked in asking if not all(_has_value(signs, part, asked) for signs in every)]
     return list(dict.fromkeys(open_parts))
 
 
 def _has_value(signs: Signs, part: Term, asked: str) -> bool:
-    if asked == "not 0" and (_is_invertible(part) or _is_named(part, signs.named)):
+    if asked == OPEN:
+        return False
+    if asked == "not 0" and (is_invertible(part) or is_named(part, signs.named)):
         return True
     try:
         value = signs.env.value(part)
@@ -219,65 +265,3 @@ def _has_value(signs: Signs, part: Term, asked: str) -> bool:
         return signs.is_positive(number, strict=asked == "logarithm")
     except ABSENT:
         return False
-
-
-ROOTS = tuple(Number(k) / Number(2) for k in (1, 3, 5))
-"""Exponents of powers that have a value at 0."""
-EXPANDED = ("series", "limit at")
-"""Operators that fill removable singularities; that they have a value is seen when they are evaluated."""
-TURNS = ("rotation", "pose 4x4", "unit real quaternion", "orthogonal tensor", "unit quaternion")
-"""Kinds whose values have an inverse."""
-
-
-def _evaluated_nodes(statement: Term) -> Iterator[Term]:
-    yield statement
-    if statement.operator.name not in EXPANDED:
-        for part in statement.arguments:
-            yield from _evaluated_nodes(part)
-
-
-def _is_invertible(part: Term) -> bool:
-    """Return whether a term is a product of displacements, whose inverse exists."""
-    name = part.operator.name
-    if isinstance(part, Symbol):
-        return part.quantity.name.removeprefix("constant ") in TURNS
-    if name in ("times", "inverse", "transpose", "conjugate", "bracket"):
-        return all(map(_is_invertible, part.arguments))
-    return (name == "pose of" and _is_invertible(part.arguments[0])) or (
-        name == "exp" and part.arguments[0].operator.name == "skew")
-
-
-def _is_named(part: Term, named: Sequence[Term]) -> bool:
-    """Return whether a term is not 0 if these terms are not, as a power, a product or a magnitude of them."""
-    if not {part, det(part), norm(part)}.isdisjoint(named):
-        return True
-    name, arguments = part.operator.name, part.arguments
-    if name in ("power", "norm", "negative", "bracket", "root"):
-        return _is_named(arguments[0], named)
-    return name == "times" and all(isinstance(a, Number) or _is_named(a, named) for a in arguments)
-
-
-def _partial(statement: Term, moving: bool) -> Iterator[tuple[Term, str]]:
-    """Yield the terms on which a partial operation of a statement depends, with what it asks of them."""
-    for node in _evaluated_nodes(statement):
-        name, arguments = node.operator.name, node.arguments
-        if name == "over":
-            yield arguments[1], "not 0"
-        elif name == "power" and not (isinstance(arguments[1], Number) and arguments[1].value >= 0):
-            exponent = arguments[1]
-            if exponent not in ROOTS:
-                yield arguments[0], "not 0"
-            if exponent.operator.name in ("over", "negative", "bracket"):
-                yield arguments[0], "not negative"
-        elif name == "inverse" or (name == "norm" and moving):
-            yield arguments[0], "not 0"
-        elif name == "root":
-            yield arguments[0], "not negative"
-        elif name == "log":
-            yield arguments[0], "logarithm"
-        elif name in ("acos", "asin"):
-            yield arguments[0], "within 1"
-        elif name in ("tan", "cot"):
-            yield (cos if name == "tan" else sin)(*arguments), "not 0"
-        elif name == "atan2 of two":
-            yield arguments[0] ** 2 + arguments[1] ** 2, "not 0"

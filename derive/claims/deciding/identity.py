@@ -17,15 +17,15 @@ from ...algebra.element import NotExactError
 from ..language.environment import Env
 from ..language.matrices import inverse, zeros
 from ..language.operations import written
-from ..language.operator_table import both, equal, over
-from ..language.printed import Number, Symbol, Term, Trait, symbols, walk, with_trait
+from ..language.operator_table import both, equal
+from ..language.printed import Number, Symbol, Term, Trait, symbols, with_trait
 from ..numbers.fields import innermost
 from ..numbers.generators import Generators
 from ..numbers.kinds import KINDS, ORDER
 from ..numbers.residues import SURE_BITS, Residues, UnluckyError
 from .claim import Claim, kind
 from .polar import Polar, Way, bounds, closed_letters
-from .proof import steps_of
+from .proof import divisor, steps_of
 
 PRIMES_MAX = 40
 """Largest number of primes that are tried for one with all roots."""
@@ -33,7 +33,7 @@ TESTS = 2**20
 """More equalities than a proof tests."""
 MODULO = "proved modulo a random prime"
 ROTATION, PRODUCT = "rotation", "S of rotations"
-CUT = frozenset(("floor of number", "or", "negated", "implies", "iff"))
+CUT = frozenset(("floor of number", "or", "negated", "implies", "iff", *(f"cases{n}" for n in range(1, 20))))
 """Operators that jump: a claim that is true at generic values may be false at special ones."""
 STRICT = {"less": True, "at most": False, "greater": True, "at least": False}
 """Order relations, with whether they exclude equality."""
@@ -141,8 +141,7 @@ def setting(
 
 def whole_steps(statement: Term) -> int:
     """Return the least integer M such that a statement contains only multiples of α/M, for each free angle α."""
-    divisors = [node.arguments[1] for node in walk(statement) if node.operator is over]
-    return lcm(1, *(d.value for d in divisors if isinstance(d, Number) and d.value))
+    return divisor(statement)
 
 
 def difference(part: Term) -> Term:

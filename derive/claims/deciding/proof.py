@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import replace
-from math import lcm
+from math import lcm, prod
 from typing import Any
 
 from ...algebra.element import NotExactError
 from ..language.environment import Env
 from ..language.operator_table import over
-from ..language.printed import Number, Symbol, Term, Trait, takes_apart, walk, with_trait
+from ..language.printed import Number, Symbol, Term, Trait, takes_apart, with_trait
 from ..numbers.generic import Generic, Ideal
 from ..numbers.kinds import BRANCH, ORDER
 from .claim import Claim, operators
@@ -109,5 +109,22 @@ def _require(claim: Claim, env: Env) -> None:
 
 def steps_of(statement: Term) -> int:
     """Return an integer M such that the statement contains only multiples of α/M, for each free angle α."""
-    divisors = [node.arguments[1] for node in walk(statement) if node.operator is over]
-    return 2 * lcm(2, *(d.value for d in divisors if isinstance(d, Number)))
+    return 2 * lcm(2, divisor(statement))
+
+
+def divisor(statement: Term) -> int:
+    """Return an integer that makes every argument of a function a sum of integer multiples, such as 4 of ``x/2/2``."""
+    arguments: list[int] = [1]
+
+    def of(node: Term) -> int:
+        below = [of(a) for a in node.arguments]
+        if Trait.TRANSCENDENTAL in node.operator.traits:
+            arguments.extend(below)
+            return 1
+        if node.operator is over and isinstance(number := node.arguments[1], Number) and number.value:
+            return below[0] * abs(number.value)
+        if node.operator.name == "power" and isinstance(node.arguments[1], Number):
+            return int(below[0] ** min(abs(node.arguments[1].value), 4))
+        return prod(below) if node.operator.name == "times" else lcm(1, *below)
+
+    return lcm(of(statement), *arguments)

@@ -277,7 +277,8 @@ class Generators(Field):
             for k in (k for k in range(-2 * self.steps, 2 * self.steps + 1) if k):
                 c, s = self._of_monomial(monomial, Fraction(k, self.steps))
                 if self._along(y, x, s, c):
-                    turns = turns_to_principal(Fraction(k, self.steps), *interval(self, monomial))
+                    closed = any(name in self.closed for name, _ in monomial)
+                    turns = turns_to_principal(Fraction(k, self.steps), *interval(self, monomial), closed)
                     turned = 2 * self.pi * (self.symbol(self._next("turn")) if turns is None else turns)
                     return angle * Fraction(k, self.steps) + turned
         return None

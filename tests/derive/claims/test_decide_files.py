@@ -156,6 +156,38 @@ def test_a_perturbation_may_be_stated_as_zero(domain: str) -> None:
     assert str(judged("exp(skew(d))*w == 2*w", letters, domain).status) == "false"
 
 
+XY, S = {"x": "real", "y": "real"}, {"s": "positive"}
+TRAPS = [
+    ("1 + 1/(10**12*(25 - 8*x)) >= 0", X, "x >= 0 and 8*x != 25"),  # a pole on the way
+    ("x**3/3 + ((y - 5/7)**2 - 43/10)*x + 5.944446 > 0", XY, "x >= 0 and x**2 + (y - 5/7)**2 >= 43/10"),  # a gap
+    ("1 + cos(x) + (8*y - 25)**2 > 0", XY, ""), ("1 + cos(x) + (x*y - 25)**2 > 0", XY, ""),  # tan(x/2) is infinite
+    ("(1 + cos(x/2/2) + (8*y - 25)**2)/(1 + cos(x/2/2) + (8*y - 25)**2) == 1", XY, ""),
+    ("atan2(sin(x), cos(x)) == x", X, "-pi <= x and x <= pi"), ("cases(1, x == 25/8 and y == 13/8, 2) == 2", XY, ""),
+    ("expectation(sin(pi*x)**2, x, s) == 0", S, ""), ("expectation(x*(x - 1)*(x + 1)*(x - 2), x, s) == 0", S, ""),
+    ("limit(t/(t*(x**2 + y**3 - 7)), t, 0)*(x**2 + y**3 - 7) == 1", XY, ""),
+    ("series(x/(y**3 - y - 3 + x), x, 1)*(y**3 - y - 3) == x", XY, ""),
+    ("rate(sqrt(x**2))*x == sqrt(x**2)*rate(x)", X, ""),
+    ("((x - 2 - sqrt((x - 3)**2))**2 + (8*y - 25)**4)/((x - 2 - sqrt((x - 3)**2))**2 + (8*y - 25)**4) == 1", XY, ""),
+    ("trace(rotation_of(q - r + 7)*transpose(rotation_of(q - r + 7))) == 3", {"q": "quaternion", "r": "quaternion"}, ""),
+]  # fmt: skip
+"""Claims that are false, or without value, at places that neither points nor generic values reach."""
+TRUE_BEYOND_THEIR_POINTS = [
+    ("sqrt((x - 3)**2) + x > 2", X), ("floor(sqrt((x - 3)**2) + x) >= 3", X), ("cases(1/(x - 2)**2, x != 2, 5) > 0", X),
+    ("sum(k, 0, infinity, cases(0, k < 20, 1/2**k)) == 1/2**19", {}), ("sum(k, 0, infinity, exp(-(k - 60)**2)) > 1", {}),
+]  # fmt: skip
+"""True claims: a difference by roots of one sign vanishes where it does not, or a sum goes on."""
+
+
+@pytest.mark.parametrize(("text", "letters", "domain"), TRAPS, ids=str)
+def test_no_proof_passes_over_a_place_that_it_leaves_out(text: str, letters: dict[str, str], domain: str) -> None:
+    assert str(judged(text, letters, domain).status) not in ("holds", "holds-if")
+
+
+@pytest.mark.parametrize(("text", "letters"), TRUE_BEYOND_THEIR_POINTS, ids=str)
+def test_what_is_true_is_not_refuted_by_one_sign_or_few_terms(text: str, letters: dict[str, str]) -> None:
+    assert str(judged(text, letters).status) != "false"
+
+
 @pytest.mark.parametrize(("text", "letters", "condition"), CONDITIONS, ids=str)
 def test_conditions_are_found(text: str, letters: dict[str, str], condition: str) -> None:
     found = judged(text, letters)
