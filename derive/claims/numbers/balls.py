@@ -255,7 +255,9 @@ class Balls(Field):
         y, x = arb(y), arb(x)
         if y.contains(0) and x.contains(0):
             raise UndefinedError("the angle of 0")
-        return Ball(flint.arb.atan2(y * 0 if y.contains(0) else y, x))
+        if y.contains(0) and x < 0:  # on the cut, where angles are positive
+            return Ball(flint.arb.atan2(y.upper(), x).union(flint.arb.pi()))
+        return Ball(flint.arb.atan2(y, x))
 
     def floor(self, a: Any) -> int:
         """Return the greatest integer that is not greater; raise if a ball has numbers on both sides of one."""

@@ -168,12 +168,13 @@ TRAPS = [
     ("series(x/(y**3 - y - 3 + x), x, 1)*(y**3 - y - 3) == x", XY, ""),
     ("rate(sqrt(x**2))*x == sqrt(x**2)*rate(x)", X, ""),
     ("((x - 2 - sqrt((x - 3)**2))**2 + (8*y - 25)**4)/((x - 2 - sqrt((x - 3)**2))**2 + (8*y - 25)**4) == 1", XY, ""),
-    ("trace(rotation_of(q - r + 7)*transpose(rotation_of(q - r + 7))) == 3", {"q": "quaternion", "r": "quaternion"}, ""),
+    ("norm(rotation_of(q - r + 7)*v) == norm(v)", {"q": "quaternion", "r": "quaternion", **V}, ""),
 ]  # fmt: skip
 """Claims that are false, or without value, at places that neither points nor generic values reach."""
 TRUE_BEYOND_THEIR_POINTS = [
-    ("sqrt((x - 3)**2) + x > 2", X), ("floor(sqrt((x - 3)**2) + x) >= 3", X), ("cases(1/(x - 2)**2, x != 2, 5) > 0", X),
-    ("sum(k, 0, infinity, cases(0, k < 20, 1/2**k)) == 1/2**19", {}), ("sum(k, 0, infinity, exp(-(k - 60)**2)) > 1", {}),
+    ("sqrt((x - 3)**2) + x > 2", X), ("floor(sqrt((x - 3)**2) + x) >= 3", X),
+    ("cases(1/(x - 2)**2, x != 2, 5) > 0", X), ("sum(k, 0, infinity, exp(-(k - 60)**2)) > 1", {}),
+    ("sum(k, 0, infinity, cases(0, k < 20, 1/2**k)) == 1/2**19", {}),
 ]  # fmt: skip
 """True claims: a difference by roots of one sign vanishes where it does not, or a sum goes on."""
 
