@@ -19,7 +19,7 @@ from ...algebra import Structure, Tensor
 from ...algebra.element import Element, NotExactError
 from ...algebra.matrix import Matrix
 from ..language.environment import Env
-from ..language.printed import Term
+from ..language.printed import Number, Term
 from ..numbers.fields import innermost
 from ..numbers.generators import Generators
 from ..numbers.intervals import interval
@@ -76,6 +76,8 @@ class Signs:
                 self.named.extend([difference(part), *(a for a in arguments[:1] if len(arguments) == 1)])
                 self.apart.append(self.number(difference(part)))
                 self.nonzero.extend(self.ring.factors(self.apart[-1]))
+            elif name == "equal" and part.arguments[1] != Number(0) and isinstance(part.arguments[1], Number):
+                self.apart.append(self.number(part.arguments[0]))
             elif name in STRICT:
                 gap = self.field.element(not_negative(self.env, part))
                 self.field.assumed += [gap, *self._squared(gap)]
@@ -109,15 +111,23 @@ class Signs:
             if what != "tangent" or not reached or name not in self.field.used(a):
                 continue
             i = self.ring.index(name)
-            above, below = (max((powers[i] for powers in self.ring.library.terms(part)), default=0)
-                            for part in (a.numerator, a.denominator))  # fmt: skip
-            if above < below or (above == below and not self.is_nonzero(self._leading(a.numerator, i, above))):
+            if any(self._degree(b, i) < 0 for b in self.apart):
+                continue  # the domain or a condition excludes it
+            degree = self._degree(a, i)
+            if degree < 0 or (degree == 0 and not self.is_nonzero(self._leading(a.numerator, i))):
                 return False
         return True
 
-    def _leading(self, polynomial: Any, i: int, power: int) -> Element:
-        """Return the coefficient of a power of a generator in a polynomial."""
+    def _degree(self, a: Element, i: int) -> int:
+        """Return the degree of a quotient in a generator, which is 0 where this is infinite if that is negative."""
+        above, below = (max((powers[i] for powers in self.ring.library.terms(part)), default=0)
+                        for part in (a.numerator, a.denominator))  # fmt: skip
+        return int(above - below)
+
+    def _leading(self, polynomial: Any, i: int) -> Element:
+        """Return the coefficient of the highest power of a generator in a polynomial."""
         terms = self.ring.library.terms(polynomial).items()
+        power = max(powers[i] for powers, _ in terms)
         found: Element = sum((c * self.field.product([(name, k) for name, k in zip(self.ring.names, powers, strict=True)
                                                       if k and name != self.ring.names[i]])
                               for powers, c in terms if powers[i] == power), self.field.element(0))  # fmt: skip
@@ -233,9 +243,8 @@ def signs_in(claim: Claim, env: Env, condition: Sequence[Term] = ()) -> Signs:
 def undecided_parts(claim: Claim, condition: Sequence[Term] = ()) -> list[Term]:
     """Return the partial operations of a claim that are not proved to have a value."""
     claim, condition = with_free_product(claim, *condition)
-    asking = list(partial_operations(claim.statement, bool(claim.depth or claim.dual)))
     given = [part.arguments[0] for part in condition if part.operator.name == "equal"]  # those have a value
-    asking = [row for row in asking if row[0] not in given]
+    asking = list(partial_operations(claim.statement, bool(claim.depth or claim.dual), given))
     parts = list(dict.fromkeys(part for part, _ in asking))
     try:
         every = signs_of(claim, condition, parts)

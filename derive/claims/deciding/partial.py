@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from ..language.operator_table import cos, det, norm, sin
+from ..language.matrices import zeros
+from ..language.operator_table import cos, det, infinity, norm, sin
 from ..language.printed import Number, Symbol, Term, symbols
 
 ROOTS = tuple(Number(k) / Number(2) for k in (1, 3, 5))
@@ -22,6 +23,14 @@ def _evaluated_nodes(statement: Term) -> Iterator[Term]:
     if statement.operator.name not in EXPANDED:
         for part in statement.arguments:
             yield from _evaluated_nodes(part)
+
+
+def _point(node: Term) -> Term:
+    """Return the point about which a series or limit is taken; a vector is 0 by its kind."""
+    letter, point = node.arguments[1], Number(0) if node.operator.name == "series" else node.arguments[2]
+    vector = isinstance(letter, Symbol) and "vector" in letter.quantity.name
+    zero: Term = zeros(Number(3), Number(1)) if vector and point == Number(0) else point
+    return zero
 
 
 def is_invertible(part: Term) -> bool:
@@ -45,8 +54,11 @@ def is_named(part: Term, named: Sequence[Term]) -> bool:
     return name == "times" and all(isinstance(a, Number) or is_named(a, named) for a in arguments)
 
 
-def partial_operations(statement: Term, moving: bool) -> Iterator[tuple[Term, str]]:
-    """Yield the terms on which a partial operation of a statement depends, with what it asks of them."""
+def partial_operations(statement: Term, moving: bool, given: Sequence[Term] = ()) -> Iterator[tuple[Term, str]]:
+    """Yield the terms on which a partial operation of a statement depends, with what it asks of them.
+
+    Nothing is asked of the series and limits that are `given` to have a value.
+    """
     for node in _evaluated_nodes(statement):
         name, arguments = node.operator.name, node.arguments
         if name == "over":
@@ -61,10 +73,11 @@ def partial_operations(statement: Term, moving: bool) -> Iterator[tuple[Term, st
             yield arguments[0], "not 0"
         elif name == "root":
             yield arguments[0], "logarithm" if moving else "not negative"
-        elif name in EXPANDED:
-            inside = [part for part, _ in partial_operations(arguments[0], moving)]
-            if any(set(symbols(part)) - {arguments[1]} for part in inside):
-                yield node, OPEN
+        elif name in EXPANDED and node not in given:
+            point = None if infinity in arguments else _point(node)
+            for part, asked in partial_operations(arguments[0], moving):
+                if any(a.quantity.varies and a != arguments[1] for a in symbols(part)):
+                    yield from [(part.xreplace({arguments[1]: point}), asked)] if point is not None else [(node, OPEN)]
         elif name == "log":
             yield arguments[0], "logarithm"
         elif name in ("acos", "asin"):

@@ -113,18 +113,18 @@ def steps_of(statement: Term) -> int:
 
 
 def divisor(statement: Term) -> int:
-    """Return an integer that makes every argument of a function a sum of integer multiples, such as 4 of ``x/2/2``."""
-    arguments: list[int] = [1]
+    """Return a multiple of all divisors in a statement, and of their products within an argument, as 4 of ``x/2/2``."""
 
     def of(node: Term) -> int:
         below = [of(a) for a in node.arguments]
         if Trait.TRANSCENDENTAL in node.operator.traits:
-            arguments.extend(below)
+            found.extend(below)
             return 1
         if node.operator is over and isinstance(number := node.arguments[1], Number) and number.value:
+            found.append(abs(number.value))
             return below[0] * abs(number.value)
-        if node.operator.name == "power" and isinstance(node.arguments[1], Number):
-            return int(below[0] ** min(abs(node.arguments[1].value), 4))
         return prod(below) if node.operator.name == "times" else lcm(1, *below)
 
-    return lcm(of(statement), *arguments)
+    found: list[int] = [1]
+    of(statement)
+    return lcm(*found)
