@@ -1,4 +1,4 @@
-"""Decision of an entry: one procedure for entries in Python and for claims of files.
+"""Decision of an entry: one procedure for those of transcripts and for claims of files.
 
 Each reading is decided as a claim, and a correction alike. Of a claim of a file, changes in one step that make it true
 are sought, or terms that do not matter and constraints that it needs.
@@ -30,7 +30,7 @@ def decide(
     """Return the result of an entry of the paper with this slug, with statements about n evaluated at some orders.
 
     The extraction of the paper's text lost some characters. `early` receives the result before the search for changes,
-    terms and constraints, which may take long. Raise UndecidedError if an entry in Python is incomplete, or the
+    terms and constraints, which may take long. Raise UndecidedError if an entry of a transcript is incomplete, or the
     computation contradicts its condition, correction or domain.
     """
     if entry.undecided:
@@ -72,7 +72,7 @@ def _result(paper: str, entry: Entry, claims: Sequence[Claim], findings: Sequenc
 
 
 def _settled(claim: Claim, early: Callable[[Finding], None]) -> Finding:
-    """Return the decision of a claim; an entry in Python that cannot be decided is a mistake of ours."""
+    """Return the decision of a claim; an entry of a transcript that cannot be decided is a mistake of ours."""
     finding = decided(claim, early)
     if finding.status is Status.UNDECIDED and not claim.entry.of_file:
         raise UndecidedError(f"({claim.entry.number}): {finding.method}")
@@ -126,7 +126,7 @@ def _premised(claim: Claim) -> Claim:
 
 def _support(entry: Entry, identity: Term, orders: Sequence[int]) -> None:
     """Raise unless the supporting identity is proved; points where it is undefined are ignored."""
-    claim = Claim(replace(entry, condition=None, claimed=None, also={}), identity, orders)
+    claim = Claim(replace(entry, condition=None, claimed=None), identity, orders)
     at = Outcome().tried(claim, places(claim), lambda outcome: bool(outcome.false))
     if at.false or proved(claim) is None:
         reason = f"false at {at.false[0].label}" if at.false else "not exact"

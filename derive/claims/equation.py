@@ -1,4 +1,4 @@
-"""Entry for an equation or claim of a paper, and the rules for deciding one in Python.
+"""Entry for an equation or claim of a paper, and the rules for deciding one of a transcript.
 
 An `Entry` has the printed formula and the definitions of its symbols. `decide` evaluates it and returns a `Result` with
 the computed status:
@@ -11,7 +11,7 @@ the computed status:
   and fails somewhere outside it; both sides are tested. ``erratum``: no listed reading is true, and the correction is.
   ``ambiguous``: one reading is true, another is false, and the text does not decide between them.
 
-An entry in Python that fits none of these raises `UndecidedError`. The condition of a claim of a file is found.
+An entry of a transcript that fits none of these raises `UndecidedError`. The condition of a claim of a file is found.
 """
 
 from __future__ import annotations
@@ -62,11 +62,8 @@ class Entry(Typeset):
     condition: Term | None = None  # condition under which the equation was found to hold
     corrected: Term | None = None  # correction of an erratum
     because: Term | None = None  # identity that supports a statement for which points are only evidence
-    argument: str = ""  # name of the module whose argument proves the statement from this identity
-    also: Mapping[str, Mapping[Symbol, Any]] = field(default_factory=dict, compare=False)  # values at further points
     moving: bool = False  # whether symbols are functions of time although the statement has no rate
     orders: tuple[int, ...] | None = None  # orders that the entry is about; all by default
-    branches: int | None = None  # number of values of a branch symbol; n by default
     components: bool = False  # whether single components occur; then no frame is chosen along the vectors
     lost: str = ""  # further characters lost by the extraction in this display
     undecided: str = ""  # why the claim is in words that no formula states; then it is not decided
@@ -83,7 +80,7 @@ class Entry(Typeset):
 
     @property
     def of_file(self) -> bool:
-        """Whether the entry is a claim of a file, whose condition is found; that of an entry in Python is stated."""
+        """True for a claim of a file, whose condition is found; a transcript states its conditions."""
         return self.written is not None
 
     @property
@@ -113,7 +110,7 @@ class Entry(Typeset):
         return f"<Equation ({self.number}): {self.title}>"
 
     def __reduce_ex__(self, protocol: Any) -> Any:
-        """Return the place of an entry whose definitions are functions that pickle refuses."""
+        """Return the place of an entry whose definitions have functions, which pickle refuses."""
         return super().__reduce_ex__(protocol) if self.home is None else (self.home, (self.source, self.number))
 
     def _typeset(self) -> str:
@@ -126,12 +123,11 @@ def equation(number: str, printed: Term | tuple[Reading, ...], **rest: Any) -> E
 
 
 def require_complete(entry: Entry, lost: str) -> None:
-    """Raise if an entry in Python lacks a part that another part needs, or does not agree with the extracted text."""
+    """Raise if an entry of a transcript lacks a part that another needs, or does not agree with the extracted text."""
     if entry.of_file:
         return
     unfaithful = not all(faithful(reading.statement, entry.extract, lost) for reading in entry.readings)
     mistakes = {
-        "an argument leads on from an identity that is proved": entry.argument and entry.because is None,
         "rates are nested, which claims of files may do": any(rate_depth(r.statement) > 1 for r in entry.readings),
         "a claimed domain and the words that state it come together": (entry.claimed is None) == bool(entry.stated),
         f"a reading does not have the characters of line {entry.line}": entry.extract and unfaithful,

@@ -10,7 +10,7 @@ from functools import cached_property
 from itertools import chain
 from typing import Any
 
-from ...algebra import Dual, Structure
+from ...algebra import Dual
 from ...algebra.element import NotExactError
 from ..equation import Entry
 from ..language.environment import Env
@@ -47,7 +47,6 @@ class Place:
     generic: bool = False
     on: str = ""
     parts: Mapping[Symbol, Numbers] = field(default_factory=dict)  # dual parts and rates, if not by a fixed seed
-    values: Mapping[Symbol, Any] = field(default_factory=dict)  # values that coordinates do not reach
     pair: bool = False
     zero: Term | None = None  # number that certainly vanishes somewhere in the balls of the coordinates
     known: Mapping[Term, Term] = field(default_factory=dict)  # parts with a value that is certain there
@@ -56,7 +55,7 @@ class Place:
     def exact(self) -> bool:
         """Whether all numbers are rational."""
         rows = chain(((c if isinstance(c, Iterable) else (c,)) for c in self.at.values()), self.parts.values())
-        return not self.values and all(isinstance(c, int | Fraction) for row in rows for c in row)
+        return all(isinstance(c, int | Fraction) for row in rows for c in row)
 
 
 @dataclass(frozen=True)
@@ -94,7 +93,7 @@ class Claim:
         return tuple(
             {**dict.fromkeys(order, n), **dict.fromkeys(branch, k), **dict.fromkeys(sign, s)}
             for n in (orders or self.entry.orders or self.orders if order else (1,))
-            for k in range((self.entry.branches or n) if branch else 1) for s in ((1, -1) if sign else (1,))
+            for k in range(n if branch else 1) for s in ((1, -1) if sign else (1,))
         )  # fmt: skip
 
     @cached_property
@@ -128,8 +127,7 @@ class Claim:
         values: dict[Symbol, Any] = {a: value for a, value in place.at.items() if a not in self.coordinates}
         for letter in self.coordinates:
             values[letter] = self.value(letter, place, field)
-        balls = Balls(loose=not self.entry.of_file)  # an entry in Python states its condition
-        values |= {a: _lifted(value) for a, value in place.values.items()}
+        balls = Balls(loose=not self.entry.of_file)  # an entry of a transcript states its condition
         return Env(field or balls, values, self.entry.definitions, self.dual, self.depth)
 
     @cached_property
@@ -234,12 +232,6 @@ def _related(statement: Term) -> tuple[Term, ...]:
 
 def kind(letter: Symbol) -> Kind:
     return KINDS[letter.quantity.name]
-
-
-def _lifted(value: Any) -> Any:
-    if isinstance(value, Structure):
-        return value.map(_lifted)
-    return Dual(_lifted(value.re), _lifted(value.du)) if isinstance(value, Dual) else Ball(arb(value))
 
 
 def _equations(domain: Term) -> Iterator[Term]:

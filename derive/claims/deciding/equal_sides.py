@@ -1,7 +1,8 @@
 """Points at which both sides of an order relation are equal, a floor jumps, or an argument in the statement vanishes.
 
 Where a difference only touches 0 it does not change its sign. One of its factors may, as t - 1 does in
-``1 - sin(x) = (t - 1)**2/(1 + t**2)`` with t = tan(x/2). So it certainly vanishes between two points.
+``1 - sin(x) = (t - 1)**2/(1 + t**2)`` with t = tan(x/2). So the factor certainly vanishes between two points;
+that the difference does is checked there, since a root may have another sign.
 """
 
 from __future__ import annotations

@@ -44,7 +44,7 @@ class Signs:
     apart: list[Element] = of_class(default_factory=list)  # numbers that are not 0
     named: list[Term] = of_class(default_factory=list)  # terms that are not 0
     free: bool = False  # whether a frame may be turned so that no direction is the one that polar forms leave out
-    numbers: frozenset[str] = frozenset()  # letters that reach all their values
+    numbers: frozenset[str] = frozenset()  # letters that are numbers, whose polar form leaves nothing out
 
     @property
     def field(self) -> Any:

@@ -2,8 +2,8 @@
 
 1. The claim is evaluated at points: short and wide numbers, special values, zeros of singular parts, related letters.
 2. A point where it fails refutes it. If it chooses branches and no domain is stated, a region is sought instead.
-3. Points without a value give the condition of a claim of a file; an entry in Python states its condition, and points
-   on both sides are tried.
+3. Points without a value give the condition of a claim of a file. An entry of a transcript states its condition, and
+   points on both sides are tried.
 4. Generic values of an exact field prove it; otherwise the points are evidence.
 """
 
@@ -23,7 +23,7 @@ from ..result import Status
 from .claim import Claim, Place, RefusedError, operators
 from .conditions import exclusions, is_sharp, plain
 from .existence import undecided_parts
-from .identity import CUT, MODULO, identical
+from .identity import MODULO, identical, jumps
 from .ordering import ordered
 from .places import Probe, places
 from .proof import ContradictionError, proved
@@ -92,7 +92,7 @@ class Finding:
 
 
 def decided(claim: Claim, early: Callable[[Finding], None] = lambda finding: None) -> Finding:
-    """Return the decision of a claim of a file, or of an entry in Python; the first is `early` told before a proof."""
+    """Return the decision of a claim of a file or transcript; that of a file is told to `early` before its proof."""
     try:
         if not claim.entry.of_file:
             return _in_python(claim)
@@ -110,7 +110,7 @@ def decided(claim: Claim, early: Callable[[Finding], None] = lambda finding: Non
 def _with_proof(claim: Claim, finding: Finding) -> Finding:
     """Return a decision at points with its proof: of the statement, then of the values of both sides."""
     within = claim if finding.within is None else finding.within.inside(claim)
-    if not CUT.isdisjoint(operators(claim.statement)):
+    if jumps(claim.statement):
         how = None  # true at generic values, it may be false at special ones
     elif not ORDERED.isdisjoint(operators(claim.statement)):
         how = "exact" if not finding.cuts and ordered(claim) else None
@@ -218,7 +218,7 @@ def _in_python(claim: Claim) -> Finding:
     if beyond.true:
         method += f"; also true at {beyond.true[0].label}"
     status = Status.HOLDS if entry.condition is None else Status.HOLDS_IF
-    if exact is None and not entry.argument:
+    if exact is None:
         status = Status.UNREFUTED
     return Finding(status, method, at.points, true=tuple(at.true))
 
@@ -248,8 +248,6 @@ def _method(claim: Claim, exact: str | None, points: int) -> str:
     """Return the method in words. A delicate statement proved at generic values may fail at special ones."""
     entry, tried = claim.entry, f"true at {points} points"
     supported = ", with a supporting identity proved exactly" if entry.because not in (None, claim.statement) else ""
-    if exact is None and entry.argument:
-        return f"proved by the argument in {entry.argument} from identities proved exactly; {tried} besides"
     if exact is None:
         return f"evidence: {points} points{supported}"
     if any(entry.free(part) for part in with_trait(Trait.DELICATE, claim.statement)):

@@ -11,7 +11,7 @@ from ..language.printed import Number, Symbol, Term, symbols
 ROOTS = tuple(Number(k) / Number(2) for k in (1, 3, 5))
 """Exponents of powers that have a value at 0."""
 OPEN = "open"
-"""What is asked of an operation whose values are not proved to exist."""
+"""Mark of an operation whose values are not proved to exist."""
 EXPANDED = ("series", "limit at")
 """Operators that fill removable singularities; that they have a value is seen when they are evaluated."""
 TURNS = ("rotation", "pose 4x4", "unit real quaternion", "orthogonal tensor", "unit quaternion")

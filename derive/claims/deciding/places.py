@@ -21,7 +21,7 @@ from .constrained import onto, touching
 from .equal_sides import equal_places
 from .singular import ABSENT, ORDERED, Singular, is_integer, singular, size
 from .uphill import Uphill
-from .zeros import Line, at_integers, crossed, lines
+from .zeros import Line, at_integers, crossed, lines, parallel
 
 SHORT = tuple(map(Fraction, (1, 2, -1, 3, -2)))
 """Numbers of the first points, so that counterexamples are short."""
@@ -145,7 +145,7 @@ class Probe:
     def _all(self) -> Iterator[Place]:
         if self.fixed is not None:
             stages = [
-                islice(self._short(), 1), islice(self._generic(), 2), self._special(), self._given(), self._related(),
+                islice(self._short(), 1), islice(self._generic(), 2), self._special(), self._related(),
                 self._zeros(), islice(self._wide(), 4, 5), islice(self._pairs(), PAIRS_BRIEF),
             ]  # fmt: skip
         else:
@@ -207,10 +207,6 @@ class Probe:
             at, parts = {**self.drawn(), **one.at, **two.at}, {**one.parts, **two.parts}
             yield Place(f"{a.name}: {label}, {b.name}: {other}", at, parts=parts, pair=True)
 
-    def _given(self) -> Iterator[Place]:
-        for label, values in self.claim.entry.also.items():
-            yield Place(label, self.drawn(), values=values)
-
     def _related(self) -> Iterator[Place]:
         """Yield points where two letters of like kinds are equal, opposite or parallel."""
         for a, b in combinations(self.claim.coordinates, 2):
@@ -247,15 +243,9 @@ class Probe:
             moving = [a for a in letters if a in self.claim.coordinates and kind(a).spread != "integer"]
             free, met = sum(kind(a).size for a in moving), any(self.roots.get((part.part, a)) for a in letters)
             if free > 1 and not met and self.fixed is None:
-                along = [found for line in self._parallel(moving) for found in line.places(part)[1]]
+                turns = parallel(self.claim, moving, partial(self.drawn, 0.5, 1.5))
+                along = [found for line in turns for found in line.places(part)[1]]
                 yield from along or self._meeting(part)
-
-    def _parallel(self, letters: Sequence[Symbol]) -> Iterator[Line]:
-        """Yield the line of multiples of one vector for another: there turns about one axis add up."""
-        vectors = [a for a in letters if kind(a).size == 3 and not kind(a).projective]
-        for a, b in islice(combinations(vectors, 2), 1):
-            at = self.drawn(0.5, 1.5)
-            yield Line(self.claim, at, b, [Fraction(0)] * 3, at[a])
 
     def _meeting(self, part: Singular) -> Iterator[Place]:
         """Yield a point where a part of several letters vanishes: between unlike signs, or where it touches 0."""
@@ -302,7 +292,7 @@ class Probe:
 
 
 def places(claim: Claim) -> Iterator[Place]:
-    """Yield the points of a claim; those of an entry in Python for each order, branch and sign in turn."""
+    """Yield the points of a claim; those of an entry of a transcript for each order, branch and sign in turn."""
     if claim.entry.of_file:
         yield from Probe(claim).all()
         return

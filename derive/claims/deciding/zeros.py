@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property, partial
-from itertools import pairwise
+from itertools import combinations, islice, pairwise
 from math import pi
 from random import Random
 from typing import Any
@@ -31,7 +31,10 @@ NEAR = Fraction(1, 1000)
 ASIDE = Fraction(1, 2**30)
 """Distance from a zero on the grid at which the search for others goes on, relative to the zero."""
 BESIDE, SMALL = 2.0**-6, 2.0**-30
-"""Distance from a supposed zero that is no zero, and how small the number is at the zero, beside that."""
+"""Distance at which a number is compared with its value at a zero, and the largest ratio of both.
+
+A zero as a float is off by 2^-52, and so the ratio is near 2^-46.
+"""
 INTEGERS_MAX = 64
 """Size of the integers and orders at which zeros are sought."""
 FINE, WIDTH = 512, 160
@@ -132,6 +135,14 @@ def lines(claim: Claim, letter: Symbol, at: dict[Symbol, Any], source: Random) -
     if row.size in (3, 6) and not row.projective:
         yield Line(claim, at, letter, [Fraction(0)] * row.size, start, row.size == 3)
     yield Line(claim, at, letter, head, [Fraction(1)] if row.size == 1 else tail)
+
+
+def parallel(claim: Claim, letters: Sequence[Symbol], drawn: Callable[[], dict[Symbol, Any]]) -> Iterator[Line]:
+    """Yield the line of multiples of one vector for another: there turns about one axis add up."""
+    vectors = [a for a in letters if kind(a).size == 3 and not kind(a).projective]
+    for a, b in islice(combinations(vectors, 2), 1):
+        at = drawn()
+        yield Line(claim, at, b, [Fraction(0)] * 3, at[a])
 
 
 def _brackets(

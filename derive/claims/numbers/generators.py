@@ -90,7 +90,7 @@ class Generators(Field):
 
     @property
     def meaning(self) -> dict[str, tuple[str, Any]]:
-        """What each generator stands for, and of which number, monomial or point (y, x)."""
+        """Meaning of each generator, such as a root, with its number, its monomial, or the point (y, x) of an angle."""
         found = {name: (what, self.product(monomial)) for (what, monomial), name in self.meanings.items()}
         rows = (("root", self.extensions), ("logarithm", self.logarithms), ("angle", self.angles))
         return {str(name): (what, known) for what, pairs in rows for known, name in pairs} | found
