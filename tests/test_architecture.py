@@ -29,7 +29,7 @@ ORDER = {
     ),
     "derive.claims.deciding": (
         "terms", "claim", "constrained", "singular", "zeros", "polar", "identity", "proof", "equal_sides", "uphill",
-        "places", "conditions", "existence", "ordering", "regions", "changes", "counterexample", "split",
+        "places", "conditions", "partial", "existence", "ordering", "regions", "changes", "counterexample", "split",
         "finding",
     ),
     "derive.codegen": (

@@ -14,6 +14,7 @@ from .deciding.claim import ORDERS, Claim
 from .deciding.conditions import is_sharp
 from .deciding.counterexample import outside_words, shown_at
 from .deciding.finding import Finding, decided
+from .deciding.identity import with_vectors_for_lengths
 from .equation import Entry, Reading, UndecidedError, require_complete
 from .language.operator_table import both, implies
 from .language.printed import Term
@@ -115,11 +116,17 @@ def _corrected(found: Result, claim: Claim, finding: Finding) -> Result:
 
 
 def _premised(claim: Claim) -> Claim:
-    """Return the claim with the premise of an implication as part of the stated domain."""
+    """Return the claim with the premise of an implication as part of the stated domain.
+
+    A magnitude that is 0 there is written as its vector.
+    """
     while claim.statement.operator is implies:
         premise, statement = claim.statement.arguments
         claimed = premise if claim.entry.claimed is None else both(claim.entry.claimed, premise)
         claim = replace(claim, entry=replace(claim.entry, claimed=claimed), statement=statement)
+    if claim.entry.claimed is not None:
+        claimed = with_vectors_for_lengths(claim.entry.claimed)
+        return replace(claim, entry=replace(claim.entry, claimed=claimed))
     return claim
 
 

@@ -1,4 +1,4 @@
-"""Entry for an equation or claim of a paper, and the rules for deciding one in Python.
+"""Entry for an equation or claim of a paper, and the rules for deciding one of a transcript.
 
 An `Entry` has the printed formula and the definitions of its symbols. `decide` evaluates it and returns a `Result` with
 the computed status:
@@ -11,7 +11,7 @@ the computed status:
   and fails somewhere outside it; both sides are tested. ``erratum``: no listed reading is true, and the correction is.
   ``ambiguous``: one reading is true, another is false, and the text does not decide between them.
 
-An entry in Python that fits none of these raises `UndecidedError`. The condition of a claim of a file is found.
+An entry of a transcript that fits none of these raises `UndecidedError`. The condition of a claim of a file is found.
 """
 
 from __future__ import annotations
@@ -122,7 +122,7 @@ class Entry(Typeset):
         return f"<Equation ({self.number}): {self.title}>"
 
     def __reduce_ex__(self, protocol: Any) -> Any:
-        """Return the place of an entry whose definitions are functions that pickle refuses."""
+        """Return the place of an entry whose definitions have functions, which pickle refuses."""
         return super().__reduce_ex__(protocol) if self.home is None else (self.home, (self.source, self.number))
 
     def _typeset(self) -> str:
@@ -135,7 +135,7 @@ def equation(number: str, printed: Term | tuple[Reading, ...], **rest: Any) -> E
 
 
 def require_complete(entry: Entry, lost: str) -> None:
-    """Raise if an entry in Python lacks a part that another part needs, or does not agree with the extracted text."""
+    """Raise if an entry of a transcript lacks a part that another needs, or does not agree with the extracted text."""
     if not entry.is_transcribed:
         return
     unfaithful = not all(faithful(reading.statement, entry.extract, lost) for reading in entry.readings)

@@ -182,11 +182,15 @@ def browse(server: Server, page: str, folder: Path, flags: Sequence[str] = ()) -
 
 FUNCTION = "reference/generated/dualcay.cayley2.tangent.html"
 IN_CHART = "reference/generated/dualcay.cayley2.pose.html?chart=exponential"
+ERRATA = sum(
+    equation["status"] == "erratum" and equation["paper"].startswith("condurache")
+    for equation in json.loads((pages.ROOT / "docs" / "errata.json").read_text(encoding="utf-8"))["equations"]
+)
 FIRST = {
     "index.html": ("pose in six numbers", "pip install"),
     "tutorials/heavy_top.html": ("At the end you have", "download heavy_top.ipynb"),
     FUNCTION: ("dualcay.cayley2. tangent", "[source]", "Parameters"),
-    "errata.html": ("What was decided", "erratum", "CP23 36"),
+    "errata.html": ("What was decided", "erratum", f"CP23 {ERRATA}"),
     "benchmarks.html": ("nanoseconds per pose", "[ns per pose against", "N = 1", "N = 100", "pose", "quaternion"),
     IN_CHART: ("dualcay.exponential. pose",),
     "theorems.html": ("Order n: maps and twists", "theorem formula Coq"),

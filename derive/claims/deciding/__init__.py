@@ -13,6 +13,7 @@ equal_sides     points at which both sides of an order relation are equal or a f
 uphill          corners of a bounded domain, and the way uphill from one
 places          points at which a claim may fail
 conditions      conditions of a claim, found from the points where a part has no value, and their sharpness
+partial         partial operations of a statement, and what each asks of a number
 existence       proof that both sides have a value
 ordering        proof of order relations, by signs of exact numbers or along one number
 regions         region on which a claim of one branch is true

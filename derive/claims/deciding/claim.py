@@ -14,8 +14,8 @@ from ...algebra import Dual
 from ...algebra.element import NotExactError
 from ..equation import Entry
 from ..language.environment import Env
-from ..language.operator_table import both, equal, negated
-from ..language.printed import Symbol, Term, Trait, rate_depth, symbols, with_trait
+from ..language.operator_table import both, equal, infinity, negated
+from ..language.printed import Symbol, Term, Trait, rate_depth, symbols, walk, with_trait
 from ..numbers.balls import PRECISIONS, Ball, Balls, BlurredError, arb, precision
 from ..numbers.fields import Constants, Field
 from ..numbers.kinds import BRANCH, KINDS, ORDER, SIGN, Kind, Numbers, jet
@@ -195,8 +195,10 @@ class Claim:
         part = at_zero(part, place.zero, self.dual).xreplace(dict(place.known))
         try:
             found: bool | None = self.evaluated(place, part, bool)
+            if found is False and _is_endless(part):
+                raise BlurredError
         except BlurredError:
-            if not place.exact:
+            if not place.exact or _is_endless(part):
                 raise
             try:
                 return bool(self.env(place, Constants()).value(part))
@@ -253,3 +255,8 @@ def _equations(domain: Term) -> Iterator[Term]:
             yield from _equations(part)
     elif domain.operator is equal:
         yield domain
+
+
+def _is_endless(part: Term) -> bool:
+    """Return whether a term has a sum without end, whose rest has no bound, so that it refutes nothing."""
+    return any(node.operator.name == "sum" and infinity in node.arguments for node in walk(part))

@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 
 from ...algebra import Structure, Tensor
 from ...algebra.matrix import Matrix
+from ..language.calculus import BINDERS
 from ..language.environment import Env
 from ..language.matrices import at_least, at_most, greater, unlike
 from ..language.operations import written
-from ..language.operator_table import Re, cos, det, nonzero, norm, over, sin, trace
+from ..language.operator_table import Re, cos, det, equal, nonzero, norm, over, sin, trace
 from ..language.printed import Number, Term, Trait, symbols
 from ..numbers.balls import BlurredError, precision
 from ..numbers.fields import innermost
@@ -32,6 +33,8 @@ class Exclusion:
     def term(self) -> Term | None:
         """The requirement as a statement, if it is a relation."""
         sign, _, number = self.relation.partition(" ")
+        if sign == "has":
+            return equal(self.subject, self.subject)
         relation = {"!=": unlike, ">=": at_least, ">": greater, "<=": at_most}.get(sign)
         return None if relation is None else relation(self.subject, Number(int(number)))
 
@@ -69,6 +72,8 @@ def fault(env: Env, node: Term) -> Exclusion | None:
         return Exclusion((cos if name == "tan" else sin)(*arguments), "!= 0")
     if name == "atan2 of two":
         return Exclusion(norm(arguments[0]) + norm(arguments[1]), "!= 0")
+    if name in BINDERS:
+        return Exclusion(node, "has a value")
     zero = next((a for a in arguments if symbols(a) and _vanishes(env, a)), None)
     return Exclusion(node, "has a value") if zero is None else Exclusion(zero, "!= 0")
 
@@ -131,8 +136,8 @@ def plain(probe: Probe, requirement: Exclusion) -> str:
     shown = replace(requirement, subject=probe.claim.entry.contracted(requirement.subject))
     alone = len(letters) == 1 and letters[0] in probe.claim.coordinates
     if requirement.relation == "!= 0" and alone and requirement.subject not in (*letters, *map(norm, letters)):
-        name, roots = probe.roots_along(requirement.subject, letters[0]) or ("", [])
-        return (roots and values_excluded(name, roots)) or str(shown)
+        along = probe.roots_along(requirement.subject, letters[0])
+        return (along and along[1] and values_excluded(*along)) or str(shown)
     return str(shown)
 
 
@@ -142,8 +147,8 @@ def _real(subject: Term) -> Term:
     return subject if subject.operator is Re else Re(subject)
 
 
-def values_excluded(name: str, roots: Sequence[float]) -> str:
-    """Return the condition that a number has none of some values; empty if they show no pattern."""
+def values_excluded(name: str, roots: Sequence[float], vanishes: Callable[[float], bool]) -> str:
+    """Return the condition that a number has none of some values; empty if they show no pattern that goes on."""
     shown = [named(t) for t in sorted(roots, key=lambda t: (abs(t), -t))]
     if any("." in t for t in shown):
         return ""
@@ -151,7 +156,8 @@ def values_excluded(name: str, roots: Sequence[float]) -> str:
         return " and ".join(f"{name} != {t}" for t in shown)
     steps = sorted({abs(t) for t in roots})
     gap = steps[1] - steps[0] if steps[0] else steps[1]
-    if all(abs(t / gap - round(t / gap)) < 1e-9 for t in steps):
+    further = [end + (gap if end > 0 else -gap) for end in (max(roots), min(roots)) if end > 0 or min(roots) < 0]
+    if all(abs(t / gap - round(t / gap)) < 1e-9 for t in steps) and all(map(vanishes, further)):
         first = f"k = {round(steps[0] / gap)}, {round(steps[0] / gap) + 1}, …" if min(roots) >= 0 else "any integer k"
         unit = named(gap).replace("pi", "k*pi") if "pi" in named(gap) else f"{named(gap)}*k"
         return f"{name} != {unit} for {first}"

@@ -1,7 +1,8 @@
 """Points at which both sides of an order relation are equal, a floor jumps, or an argument in the statement vanishes.
 
 Where a difference only touches 0 it does not change its sign. One of its factors may, as t - 1 does in
-``1 - sin(x) = (t - 1)**2/(1 + t**2)`` with t = tan(x/2). So it certainly vanishes between two points.
+``1 - sin(x) = (t - 1)**2/(1 + t**2)`` with t = tan(x/2). So the factor certainly vanishes between two points;
+that the difference does is checked there, since a root may have another sign.
 """
 
 from __future__ import annotations
@@ -19,7 +20,7 @@ from typing import Any
 from ..language.matrices import exp
 from ..language.operator_table import tan
 from ..language.printed import Apply, Number, Symbol, Term, Trait, symbols, walk
-from ..numbers.balls import BlurredError
+from ..numbers.balls import BlurredError, arb
 from ..numbers.generators import Generators
 from .claim import Claim, Place, kind
 from .identity import ABSENT, STRICT, difference, setting, whole_steps
@@ -45,7 +46,7 @@ def equal_places(claim: Claim, at: dict[Symbol, Any], source: Random) -> Iterato
             found = (place for factor in islice(_factors(claim, zero), FACTORS_MAX)
                      for place in _zeros(claim, factor, at, source, True) if place.zero == factor)  # fmt: skip
             for place in found:
-                if _has_sides(claim, node, place):
+                if _has_sides(claim, node, place) and _is_zero(claim, zero, place):
                     yield replace(place, zero=None, known={node: known})
     for part in islice(_arguments(claim.statement), ARGUMENTS_MAX):
         yield from _zeros(claim, part, at, source)
@@ -57,6 +58,13 @@ def _equalities(node: Term) -> Iterator[tuple[Term, Term]]:
         yield difference(node), Apply(node.operator.name, 0, 0)
     else:
         yield from ((node.arguments[0] - k, k) for k in FLOORS)
+
+
+def _is_zero(claim: Claim, zero: Term, place: Place) -> bool:
+    """Return whether a difference has a value at a zero of its factor, and no other than 0 for signs of roots there."""
+    with suppress(*ABSENT, BlurredError):
+        return bool(arb(claim.evaluated(replace(place, zero=None), zero, size)).contains(0))
+    return False
 
 
 def _has_sides(claim: Claim, node: Term, place: Place) -> bool:

@@ -6,23 +6,28 @@ factors of the number have one sign on the stated domain, or are asked to by a c
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 from dataclasses import field as of_class
 from fractions import Fraction
+from functools import partial
 from typing import Any
+
+import sympy
 
 from ...algebra import Dual, Quaternion, Structure, Tensor
 from ...algebra.element import Element, NotExactError
 from ...algebra.matrix import Matrix
 from ..language.environment import Env
-from ..language.operator_table import cos, det, nonzero, norm, sin
-from ..language.printed import Number, Symbol, Term
+from ..language.operator_table import nonzero
+from ..language.printed import Number, Term
 from ..numbers.fields import innermost
 from ..numbers.generators import Generators
+from ..numbers.intervals import interval
 from .claim import Claim, kind
 from .identity import ABSENT, STRICT, difference, not_negative, setting, with_free_product
+from .partial import OPEN, is_invertible, is_named, partial_operations
 from .proof import COMPONENTWISE
 from .singular import size
 from .terms import RELATIONS, is_dual, operators, takes_parts
@@ -39,9 +44,10 @@ class Signs:
 
     env: Env
     nonzero: list[Any] = of_class(default_factory=list)
+    apart: list[Element] = of_class(default_factory=list)  # numbers that are not 0
     named: list[Term] = of_class(default_factory=list)  # terms that are not 0
     free: bool = False  # whether a frame may be turned so that no direction is the one that polar forms leave out
-    numbers: frozenset[str] = frozenset()  # letters that reach all their values
+    numbers: frozenset[str] = frozenset()  # letters that are numbers, whose polar form leaves nothing out
 
     @property
     def field(self) -> Any:
@@ -67,7 +73,7 @@ class Signs:
         """Note what a relation of a stated domain, or of a condition, says of numbers; its own divisors are not 0."""
         name, arguments = part.operator.name, part.arguments
         try:
-            for one, asked in _partial(part, None) if name in RELATIONS else ():
+            for one, asked in partial_operations(part, lambda a: False) if name in RELATIONS else ():
                 if asked == "not 0" and not self._is_matrix(one):
                     self.named.append(one)
                     self.nonzero.extend(self.ring.factors(self.number(one)))
@@ -75,7 +81,10 @@ class Signs:
                 if self._is_matrix(difference(part)):
                     return  # a matrix that is not 0 may have no inverse
                 self.named.extend([difference(part), *(a for a in arguments[:1] if len(arguments) == 1)])
-                self.nonzero.extend(self.ring.factors(self._not_0(difference(part))))
+                self.apart.append(self._not_0(difference(part)))
+                self.nonzero.extend(self.ring.factors(self.apart[-1]))
+            elif name == "equal" and part.arguments[1] != Number(0) and isinstance(part.arguments[1], Number):
+                self.apart.append(self.number(part.arguments[0]))
             elif name in STRICT:
                 gap = self.field.element(not_negative(self.env, part))
                 self.field.assumed += [gap, *self._squared(gap)]
@@ -101,8 +110,41 @@ class Signs:
 
     def is_nonzero(self, a: Element) -> bool:
         """Return whether a number is proved to be 0 nowhere."""
-        return bool(a) and (all(map(self._is_apart, self.ring.factors(a))) or (
+        if a in self.apart or -a in self.apart:
+            return True
+        return bool(a) and self._is_apart_at_half_turns(a) and (all(map(self._is_apart, self.ring.factors(a))) or (
             not self.free and any(self.field.is_positive(b - MARGIN) for b in (a, -a))))
+
+    def _is_apart_at_half_turns(self, a: Element) -> bool:
+        """Return whether a number is not 0 where the tangent of an angle is infinite, which generators leave out."""
+        for (what, monomial), name in self.field.meanings.items():
+            low, high = interval(self.field, monomial)
+            end, most = self.field.steps * sympy.pi, max(abs(low), abs(high))
+            reached = most > end or (most == end and any(other in self.ring.closed for other, _ in monomial))
+            if what != "tangent" or not reached or name not in self.field.used(a):
+                continue
+            i = self.ring.index(name)
+            if any(self._degree(b, i) < 0 for b in self.apart):
+                continue  # the domain or a condition excludes it
+            degree = self._degree(a, i)
+            if degree < 0 or (degree == 0 and not self.is_nonzero(self._leading(a.numerator, i))):
+                return False
+        return True
+
+    def _degree(self, a: Element, i: int) -> int:
+        """Return the degree of a quotient in a generator, which is 0 where this is infinite if that is negative."""
+        above, below = (max((powers[i] for powers in self.ring.library.terms(part)), default=0)
+                        for part in (a.numerator, a.denominator))  # fmt: skip
+        return int(above - below)
+
+    def _leading(self, polynomial: Any, i: int) -> Element:
+        """Return the coefficient of the highest power of a generator in a polynomial."""
+        terms = self.ring.library.terms(polynomial).items()
+        power = max(powers[i] for powers, _ in terms)
+        found: Element = sum((c * self.field.product([(name, k) for name, k in zip(self.ring.names, powers, strict=True)
+                                                      if k and name != self.ring.names[i]])
+                              for powers, c in terms if powers[i] == power), self.field.element(0))  # fmt: skip
+        return found
 
     def _is_apart(self, factor: Any) -> bool:
         """Return whether a factor is 0 nowhere; that of several letters also in limits of polar forms."""
@@ -126,12 +168,18 @@ class Signs:
 
     def _letters(self, a: Element) -> set[str]:
         """Return the names of the letters on which a number depends."""
-        found: set[str] = set()
-        for name in self.field.used(a):
-            known = self.field.meaning.get(name, ("", ()))[1]
-            parts = known if isinstance(known, tuple) else (known,)
-            found |= set().union(*map(self._letters, parts)) if parts else {name.split(".")[0]} - {"pi"}
-        return found
+        meaning = self.field.meaning
+
+        def of(number: Any, above: frozenset[str]) -> Iterator[str]:
+            for name in self.field.used(number):
+                known = meaning.get(name, ("", ()))[1]
+                parts = known if isinstance(known, tuple) else (known,)
+                if not parts or name in above:  # an angle may be that of a point given by its own tangent
+                    yield name.split(".")[0]
+                for part in parts if name not in above else ():
+                    yield from of(part, above | {name})
+
+        return {*of(a, frozenset())} - {"pi"}
 
     def _is_root_apart(self, factor: Any) -> bool:
         """Return whether a factor is the root of a number that is 0 nowhere."""
@@ -188,6 +236,22 @@ def is_frame_free(claim: Claim) -> bool:
     return COMPONENTWISE.isdisjoint(name.split()[0] for name in operators(*claim.parts) if name)
 
 
+def signs_of(claim: Claim, condition: Sequence[Term], parts: Sequence[Term]) -> list[Signs]:
+    """Return the signs for each choice of orders and of signs of the roots in parts, with what the domain says."""
+    found: list[Signs] = []
+    for fixed in claim.choices:
+        waiting: list[tuple[int, ...]] = [()]
+        while waiting:
+            chosen = waiting.pop()
+            signs = signs_in(claim, setting(claim, Generators, fixed, chosen), condition)
+            for part in parts:
+                with suppress(*ABSENT):
+                    signs.env.value(part)
+            waiting += [(*signs.field.signs[:i], -1) for i in range(len(chosen), len(signs.field.roots))]
+            found.append(signs)
+    return found
+
+
 def signs_in(claim: Claim, env: Env, condition: Sequence[Term] = ()) -> Signs:
     """Return the signs in an environment over generators, with what domain and condition say."""
     domain = [nonzero(a) for a in claim.coordinates if kind(a).invertible]
@@ -202,23 +266,26 @@ def signs_in(claim: Claim, env: Env, condition: Sequence[Term] = ()) -> Signs:
 def undecided_parts(claim: Claim, condition: Sequence[Term] = ()) -> list[Term]:
     """Return the partial operations of a claim that are not proved to have a value."""
     claim, condition = with_free_product(claim, *condition)
-    parts = dict.fromkeys(_partial(claim.statement, claim))
-    waiting: list[tuple[Mapping[Symbol, int], tuple[int, ...]]] = [(fixed, ()) for fixed in claim.choices]
-    found: dict[Term, None] = {}
-    while waiting and parts:
-        fixed, roots = waiting.pop()
-        try:
-            signs = signs_in(claim, setting(claim, Generators, fixed, roots), condition)
-        except ABSENT:
-            return list(dict.fromkeys(part for part, _ in parts))
-        found |= dict.fromkeys(part for part, asked in parts if not _has_value(signs, part, asked))
-        field = signs.field
-        waiting += [(fixed, (*field.signs[:i], -1)) for i in range(len(roots), len(field.roots))]
-    return [part for part in dict.fromkeys(part for part, _ in parts) if part in found]
+    given = [part.arguments[0] for part in condition if part.operator.name == "equal"]  # those have a value
+    asking = list(partial_operations(claim.statement, partial(_has_slope, claim), given))
+    parts = list(dict.fromkeys(part for part, _ in asking))
+    try:
+        every = signs_of(claim, condition, parts)
+    except ABSENT:
+        return parts
+    open_parts = [part for part, asked in asking if not all(_has_value(signs, part, asked) for signs in every)]
+    return list(dict.fromkeys(open_parts))
+
+
+def _has_slope(claim: Claim, part: Term) -> bool:
+    """Return whether rates of a part matter, or its dual part apart from the real one."""
+    return bool(claim.depth or (takes_parts(claim.statement) and is_dual(part)))
 
 
 def _has_value(signs: Signs, part: Term, asked: str) -> bool:
-    if asked == "not 0" and (_is_invertible(part) or _is_named(part, signs.named)):
+    if asked == OPEN:
+        return False
+    if asked == "not 0" and (is_invertible(part) or is_named(part, signs.named)):
         return True
     try:
         value = signs.env.value(part)
@@ -234,78 +301,6 @@ def _has_value(signs: Signs, part: Term, asked: str) -> bool:
         number = signs.number(part, lambda a: innermost(a.scalar if isinstance(a, Quaternion) else a))
         if asked == "within 1":
             number = 1 - number * number
-        return signs.is_positive(number, strict=asked in ("logarithm", "positive"))
+        return signs.is_positive(number, strict=asked == "logarithm")
     except ABSENT:
         return False
-
-
-ROOTS = tuple(Number(k) / Number(2) for k in (1, 3, 5))
-"""Exponents of powers that have a value at 0."""
-EXPANDED = ("series", "limit at")
-"""Operators that fill removable singularities; that they have a value is seen when they are evaluated."""
-TURNS = ("rotation", "pose 4x4", "unit real quaternion", "orthogonal tensor", "unit quaternion")
-"""Kinds whose values have an inverse."""
-
-
-def _evaluated_nodes(statement: Term) -> Iterator[Term]:
-    yield statement
-    if statement.operator.name not in EXPANDED:
-        for part in statement.arguments:
-            yield from _evaluated_nodes(part)
-
-
-def _is_invertible(part: Term) -> bool:
-    """Return whether a term is a product of displacements, whose inverse exists."""
-    name = part.operator.name
-    if isinstance(part, Symbol):
-        return part.quantity.name.removeprefix("constant ") in TURNS
-    if name in ("times", "inverse", "transpose", "conjugate", "bracket"):
-        return all(map(_is_invertible, part.arguments))
-    return (name == "pose of" and _is_invertible(part.arguments[0])) or (
-        name == "exp" and part.arguments[0].operator.name == "skew")
-
-
-def _is_named(part: Term, named: Sequence[Term]) -> bool:
-    """Return whether a term is not 0 if these terms are not, as a power, a product or a magnitude of them."""
-    if not {part, det(part), norm(part)}.isdisjoint(named):
-        return True
-    name, arguments = part.operator.name, part.arguments
-    if name in ("power", "norm", "negative", "bracket", "root"):
-        return _is_named(arguments[0], named)
-    return name == "times" and all(isinstance(a, Number) or _is_named(a, named) for a in arguments)
-
-
-def _partial(statement: Term, claim: Claim | None) -> Iterator[tuple[Term, str]]:
-    """Yield the terms on which a partial operation of a statement depends, with what it asks of them.
-
-    A magnitude has no rate at 0. Its dual part there is a slope in one direction.
-    """
-    for node in _evaluated_nodes(statement):
-        name, arguments = node.operator.name, node.arguments
-        if name == "over":
-            yield arguments[1], "not 0"
-        elif name == "power" and not (isinstance(arguments[1], Number) and arguments[1].value >= 0):
-            exponent = arguments[1]
-            if exponent not in ROOTS:
-                yield arguments[0], "not 0"
-            if exponent.operator.name in ("over", "negative", "bracket"):
-                yield arguments[0], "not negative"
-        elif name == "inverse" or (name == "norm" and _has_slope(claim, arguments[0])):
-            yield arguments[0], "not 0"
-        elif name == "root":
-            has_slope = claim is not None and claim.dual and is_dual(arguments[0])
-            yield arguments[0], "positive" if has_slope else "not negative"
-        elif name == "log":
-            yield arguments[0], "logarithm"
-        elif name in ("acos", "asin"):
-            yield arguments[0], "within 1"
-        elif name in ("tan", "cot"):
-            yield (cos if name == "tan" else sin)(*arguments), "not 0"
-        elif name == "atan2 of two":
-            yield arguments[0] ** 2 + arguments[1] ** 2, "not 0"
-
-
-def _has_slope(claim: Claim | None, part: Term) -> bool:
-    """Return whether rates of a part matter, or its dual part apart from the real one."""
-    return claim is not None and bool(
-        claim.depth or (takes_parts(claim.statement) and is_dual(part)))

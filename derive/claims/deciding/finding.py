@@ -24,13 +24,13 @@ from ..result import Status
 from .claim import Claim, Place, RefusedError
 from .conditions import exclusions, is_sharp, plain
 from .existence import undecided_parts
-from .identity import CUT, MODULO, difference, orders_of
+from .identity import MODULO, difference, jumps, orders_of
 from .ordering import ordered
 from .places import Probe
 from .proof import proved
 from .regions import REGION_MIN, Region, branched, region
 from .singular import ORDERED
-from .split import is_split, split
+from .split import split
 from .terms import operators
 
 JUMPS = frozenset(("atan2 of two", "arctan", "acos", "asin", "log"))
@@ -164,7 +164,7 @@ def _proof(claim: Claim) -> str | None:
 
 
 def _proof_of_part(claim: Claim) -> str | None:
-    if not CUT.isdisjoint(operators(claim.statement)) or not is_split(claim.statement):
+    if jumps(claim.statement):
         return None  # true at generic values, it may be false at special ones
     if not ORDERED.isdisjoint(operators(claim.statement)):
         return "exact" if ordered(claim) else None

@@ -10,18 +10,18 @@ from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
 from functools import partial, reduce
-from math import lcm
+from math import lcm, prod
 from typing import Any
 
 from ...algebra.element import NotExactError
 from ..language.environment import Env
-from ..language.matrices import inverse
+from ..language.matrices import inverse, zeros
 from ..language.operations import written
-from ..language.operator_table import Du, both, over
+from ..language.operator_table import Du, both, equal, over
 from ..language.printed import Number, Symbol, Term, Trait, symbols, walk, with_trait
 from ..numbers.fields import innermost
 from ..numbers.generators import Generators
-from ..numbers.kinds import ORDER
+from ..numbers.kinds import KINDS, ORDER
 from ..numbers.residues import Residues, UnluckyError
 from .claim import Claim, kind
 from .constrained import gaps
@@ -34,7 +34,7 @@ TESTS = 2**20
 """More equalities than a proof tests."""
 MODULO = "proved modulo a random prime"
 ROTATION, PRODUCT = "rotation", "S of rotations"
-CUT = frozenset(("floor of number", "or", "negated", "implies", "iff"))
+CUT = frozenset(("floor of number", "or", "negated", "implies", "iff", "cases"))
 """Operators that jump: a claim that is true at generic values may be false at special ones."""
 STRICT = {"less": True, "at most": False, "greater": True, "at least": False}
 """Order relations, with whether they exclude equality."""
@@ -82,6 +82,11 @@ def _for_all_signs(claim: Claim, make: Make) -> bool:
                 return False
             waiting += [(*field.signs[:i], -1) for i in range(len(signs), len(field.roots))]
     return True
+
+
+def jumps(statement: Term) -> bool:
+    """Return whether a statement has an operator that jumps; the name of ``cases`` ends with its number of arms."""
+    return any(node.operator.name.rstrip("0123456789") in CUT for node in walk(statement))
 
 
 def conjuncts(domain: Term) -> list[Term]:
@@ -135,8 +140,7 @@ def setting(
 
 def whole_steps(statement: Term) -> int:
     """Return the least integer M such that a statement contains only multiples of α/M, for each free angle α."""
-    divisors = [node.arguments[1] for node in walk(statement) if node.operator is over]
-    return lcm(1, *(d.value for d in divisors if isinstance(d, Number) and d.value))
+    return divisor(statement)
 
 
 def difference(part: Term) -> Term:
@@ -158,11 +162,34 @@ def with_solved_equations(claim: Claim) -> Claim:
         a, b = part.arguments if part.operator.name == "equal" and len(part.arguments) == 2 else (part, part)
         for letter, value in ((a, b), (b, a)):
             free = letter in claim.coordinates and kind(letter).free == kind(letter).spread == ""
+            value = zero_like(letter) if free and value in (Number(0), Number(0) * letter) else value
             if free and letter not in symbols(value):
                 rest = [one.xreplace({letter: value}) for one in domain if one is not part]
                 entry = replace(claim.entry, claimed=reduce(both, rest) if rest else None)
                 return with_solved_equations(Claim(entry, claim.statement.xreplace({letter: value}), claim.orders))
     return claim
+
+
+def zero_like(letter: Symbol) -> Term:
+    """Return the zero of a letter's kind; 0 for a kind without a matrix, which 0 equals too."""
+    rows = {3: (3, 1), 6: (6, 1), 9: (3, 3)}.get(kind(letter).size)
+    zero: Term = Number(0) if rows is None else zeros(*map(Number, rows))
+    return zero
+
+
+def with_vectors_for_lengths(domain: Term) -> Term:
+    """Return a domain with ``v == 0`` for ``norm(v) == 0`` and ``dot(v, v) == 0``, which have no derivative there."""
+    sides = (part.arguments for part in conjuncts(domain) if part.operator.name == "equal")
+    squares = [a for a, *rest in sides if rest == [Number(0)] and _is_square(a)]
+    plain: Term = domain.xreplace({equal(a, 0): equal(a.arguments[0], 0) for a in squares})
+    return plain
+
+
+def _is_square(part: Term) -> bool:
+    """Return whether a term is the magnitude of a real letter, or its square as a scalar product."""
+    name, arguments = part.operator.name, part.arguments
+    letter = arguments[0] if name == "norm" or (name == "dot" and arguments[0] == arguments[1]) else None
+    return isinstance(letter, Symbol) and letter.quantity.name in KINDS and not kind(letter).dual
 
 
 def with_free_product(claim: Claim, *further: Term) -> tuple[Claim, tuple[Term, ...]]:
@@ -201,5 +228,22 @@ def _product_of_rotations(node: Term) -> tuple[Term, Symbol, Term] | None:
 
 def steps_of(statement: Term) -> int:
     """Return an integer M such that the statement contains only multiples of α/M, for each free angle α."""
-    divisors = [node.arguments[1] for node in walk(statement) if node.operator is over]
-    return 2 * lcm(2, *(d.value for d in divisors if isinstance(d, Number)))
+    return 2 * lcm(2, divisor(statement))
+
+
+def divisor(statement: Term) -> int:
+    """Return a multiple of all divisors in a statement, and of their products within an argument, as 4 of ``x/2/2``."""
+
+    def of(node: Term) -> int:
+        below = [of(a) for a in node.arguments]
+        if Trait.TRANSCENDENTAL in node.operator.traits:
+            found.extend(below)
+            return 1
+        if node.operator is over and isinstance(number := node.arguments[1], Number) and number.value:
+            found.append(abs(number.value))
+            return below[0] * abs(number.value)
+        return prod(below) if node.operator.name == "times" else lcm(1, *below)
+
+    found: list[int] = [1]
+    of(statement)
+    return lcm(*found)

@@ -131,6 +131,8 @@ def _along_numbers(claim: Claim) -> bool:
         return False
     if "atan2 of two" in operators(claim.statement) or undecided_parts(claim):
         return False  # there may be a jump or a pole
+    if not all(bounds([part]) for part in _domain(claim)):
+        return False  # the way along a number may leave the domain
     return any(_along(claim, a) for a in claim.coordinates if kind(a).size == 1 and kind(a).spread != "integer")
 
 

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import random
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import replace
 from fractions import Fraction
-from functools import cached_property
+from functools import cached_property, partial
 from itertools import chain, combinations, islice
 from typing import Any
 
@@ -22,7 +22,7 @@ from .equal_sides import equal_places
 from .singular import ABSENT, ORDERED, Singular, is_integer, singular, size
 from .terms import bare, operators
 from .uphill import Uphill
-from .zeros import Line, at_integers, crossed, lines
+from .zeros import Line, at_integers, crossed, lines, parallel
 
 SHORT = tuple(map(Fraction, (1, 2, -1, 3, -2)))
 """Numbers of the first points, so that counterexamples are short."""
@@ -235,15 +235,9 @@ class Probe:
             moving = [a for a in letters if a in self.claim.coordinates and kind(a).spread != "integer"]
             free, met = sum(kind(a).size for a in moving), any(self.roots.get((part.part, a)) for a in letters)
             if free > 1 and not met:
-                along = [found for line in self._parallel(moving) for found in line.places(part)[1]]
+                turns = parallel(self.claim, moving, partial(self.drawn, 0.5, 1.5))
+                along = [found for line in turns for found in line.places(part)[1]]
                 yield from along or self._meeting(part)
-
-    def _parallel(self, letters: Sequence[Symbol]) -> Iterator[Line]:
-        """Yield the line of multiples of one vector for another: there turns about one axis add up."""
-        vectors = [a for a in letters if kind(a).size == 3 and not kind(a).projective]
-        for a, b in islice(combinations(vectors, 2), 1):
-            at = self.drawn(0.5, 1.5)
-            yield Line(self.claim, at, b, [Fraction(0)] * 3, at[a])
 
     def _meeting(self, part: Singular) -> Iterator[Place]:
         """Yield a point where a part of several letters vanishes: between unlike signs, or where it touches 0."""
@@ -274,15 +268,16 @@ class Probe:
         positive = [a for a in self.claim.coordinates if kind(a).spread == "positive"]
         return None if place is None or any(c <= 0 for a in positive for c in place.at[a]) else place
 
-    def roots_along(self, part: Term, letter: Symbol) -> tuple[str, list[float]] | None:
-        """Return the name of a letter's value and the values at which a part vanishes, if they are those of a line."""
+    def roots_along(self, part: Term, letter: Symbol) -> tuple[str, list[float], Callable[[float], bool]] | None:
+        """Return the name of a letter's value, those at which a part vanishes on all lines, and whether one is such."""
         line, part = next(self._lines(letter, part), None), bare(part)
         if line is None or not (line.radial or kind(letter).size == 1):
             return None
         found = line.roots(Singular(part, size))
         known = self.roots.get((part, letter), found)
         alike = len(known) == len(found) and all(abs(a - b) < 1e-9 for a, b in zip(known, found))
-        return (line.shown, found) if alike else None
+        vanishes = partial(line.vanishes_at, Singular(part, size))
+        return (line.shown, found, vanishes) if alike and all(map(vanishes, found)) else None
 
     def _lines(self, letter: Symbol, part: Term) -> Iterator[Line]:
         return lines(self.claim.of_number(part), letter, self.drawn(0.5, 1.5), self.random)

@@ -7,7 +7,7 @@ from functools import reduce
 
 from ..language.matrices import unlike
 from ..language.operator_table import both, equal, implies, negated
-from ..language.printed import Apply, Number, Symbol, Term, Trait
+from ..language.printed import Apply, Number, Term, Trait
 from .claim import Claim
 
 CASES = "cases"
@@ -71,10 +71,3 @@ def _arms(node: Term) -> Iterator[tuple[Term, tuple[Term, ...]]]:
         given.append(_opposite(condition) or negated(condition))
     if len(arms) % 2:
         yield arms[-1], tuple(given)
-
-
-def is_split(statement: Term) -> bool:
-    """Return whether no value by cases is left in a statement, as one inside of a sum is."""
-    if isinstance(statement, Symbol | Number):
-        return True
-    return not statement.operator.name.startswith(CASES) and all(map(is_split, statement.arguments))

@@ -7,7 +7,7 @@ from contextlib import suppress
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property, partial
-from itertools import pairwise
+from itertools import combinations, islice, pairwise
 from math import pi
 from random import Random
 from typing import Any
@@ -31,6 +31,11 @@ NEAR = Fraction(1, 1000)
 """Distance of a point beside a zero, relative to the zero."""
 ASIDE = Fraction(1, 2**30)
 """Distance from a zero on the grid at which the search for others goes on, relative to the zero."""
+BESIDE, SMALL = 2.0**-6, 2.0**-30
+"""Distance at which a number is compared with its value at a zero, and the largest ratio of both.
+
+A zero as a float is off by 2^-52, and so the ratio is near 2^-46.
+"""
 INTEGERS_MAX = 64
 """Size of the integers and orders at which zeros are sought."""
 FINE, WIDTH = 512, 160
@@ -85,6 +90,12 @@ class Line:
         with precision(FINE):
             return [float(t) for t in self._roots(part)]
 
+    def vanishes_at(self, part: Singular, t: float) -> bool:
+        """Return whether a singular part is near 0 at a number, and not beside it."""
+        with precision(FINE):
+            at, beside = (self.value(part, Ball(flint.arb(s))) for s in (t, t + BESIDE))
+        return at is not None and beside is not None and bool(abs(at) < abs(beside) * SMALL)
+
     def _roots(self, part: Singular, brief: bool = False) -> list[Any]:
         grid = [*(Fraction(k, 2) for k in range(1, 20 if brief else 40)), *(() if brief else FAR)]
         grid = [1 / FAR[-1] if kind(self.letter).spread == "positive" else Fraction(0), *grid]
@@ -127,6 +138,14 @@ def lines(claim: Claim, letter: Symbol, at: dict[Symbol, Any], source: Random) -
     if row.size in (3, 6) and not row.projective:
         yield Line(claim, at, letter, [Fraction(0)] * row.size, start, row.size == 3)
     yield Line(claim, at, letter, head, [Fraction(1)] if row.size == 1 else tail)
+
+
+def parallel(claim: Claim, letters: Sequence[Symbol], drawn: Callable[[], dict[Symbol, Any]]) -> Iterator[Line]:
+    """Yield the line of multiples of one vector for another: there turns about one axis add up."""
+    vectors = [a for a in letters if kind(a).size == 3 and not kind(a).projective]
+    for a, b in islice(combinations(vectors, 2), 1):
+        at = drawn()
+        yield Line(claim, at, b, [Fraction(0)] * 3, at[a])
 
 
 def _brackets(

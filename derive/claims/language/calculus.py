@@ -6,7 +6,7 @@ Each evaluates its first argument at other values of the letter. Substitution tr
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping
 from fractions import Fraction
 from functools import reduce
 from typing import Any
@@ -19,7 +19,7 @@ from ..numbers.series import Series, SeriesField
 from . import values
 from .environment import Env
 from .operator_table import define, infinity
-from .printed import ATOM, LIST, PRODUCT, SUM, Apply, OperatorRow, Symbol, Term, symbols, walk
+from .printed import ATOM, LIST, PRODUCT, SUM, Apply, Number, OperatorRow, Symbol, Term, symbols, walk
 
 BINDERS: dict[str, int] = {"sum": 0, "product": 0, "every": 0}
 """Place of the bound letter among the arguments, by operator."""
@@ -132,37 +132,56 @@ def _value_at(env: Env, body: Term, letter: Term, at: Term) -> Any:
     return env.bound(letter, env.value(at)).value(body)
 
 
-SAMPLES = ((2, -3, 1, 3, -1, 2), (-1, 2, 3, -2, 1, -3))
-"""Values at which a formula must be the quadratic one that its values at units tell."""
+LINEAR = frozenset((
+    "negative", "bracket", "transpose", "skew", "vect", "trace", "vec", "conjugate", "scalar of quaternion",
+    "vector of quaternion", "vector", "plus", "minus", "Re", "Du",
+))  # fmt: skip
+PRODUCTS = frozenset(("times", "dot", "cross", "dyad", "kron"))
+"""Operators that keep the degree of a formula, and those that add the degrees of their arguments."""
+
+
+def degree(body: Term, letter: Term) -> int:
+    """Return a bound of the degree of a formula that is a polynomial in a letter; raise NotExactError if it is none."""
+    if letter not in symbols(body):
+        return 0
+    name, arguments = body.operator.name, body.arguments
+    if body == letter:
+        return 1
+    if name in PRODUCTS:
+        return sum(degree(a, letter) for a in arguments)
+    if name == "power" and isinstance(arguments[1], Number) and arguments[1].value >= 0:
+        return degree(arguments[0], letter) * arguments[1].value
+    if name == "over" and letter not in symbols(arguments[1]):
+        return degree(arguments[0], letter)
+    if name in LINEAR or name.split()[0] in ("entry", "matrix", "block"):
+        return max(degree(a, letter) for a in arguments)
+    raise NotExactError(f"the expectation of {name}, which is no polynomial")
 
 
 def _expectation(env: Env, body: Term, letter: Term, covariance: Term) -> Any:
     """Return the mean of a formula of second degree in a letter with mean 0: its terms by those of the covariance."""
+    if degree(body, letter) > 2:
+        raise NotExactError("the expectation of a formula of higher degree than 2")
     S = matrix.rows_of(matrix.exactly(env.value(covariance)))
     size = range(len(S))
     if not all(env.field.same(S[i][j], S[j][i]) for i in size for j in range(i)):
         raise UndefinedError("a covariance that is not symmetric")
 
-    def at(components: Sequence[int]) -> Any:
+    def at(*marks: tuple[int, int]) -> Any:
+        components = [sum(sign for place, sign in marks if place == i) for i in size]
         return env.bound(letter, matrix.shaped([[Fraction(c)] for c in components])).value(body)
-
-    def unit(*marks: tuple[int, int]) -> Any:
-        return at([sum(sign for place, sign in marks if place == i) for i in size])
 
     def total(*terms: tuple[Any, Any]) -> Any:
         return reduce(values.add, (value * weight for value, weight in terms))
 
-    mean = unit()
-    ahead, back = ([unit((i, sign)) for i in size] for sign in (1, -1))
-    squares = [total((ahead[i], Fraction(1, 2)), (back[i], Fraction(1, 2)), (mean, -1)) for i in size]
-    pairs = {(i, j): total((unit((i, 1), (j, 1)), 1), (ahead[i], -1), (ahead[j], -1), (mean, 1))
-             for i in size for j in range(i)}  # fmt: skip
-    for c in (sample[: len(S)] for sample in SAMPLES):
-        odd = [(value, Fraction(sign * c[i], 2)) for i in size for value, sign in ((ahead[i], 1), (back[i], -1))]
-        even = [*((squares[i], c[i] ** 2) for i in size), *((pairs[i, j], c[i] * c[j]) for i, j in pairs)]
-        if not env.equal(at(c), total((mean, 1), *odd, *even)):
-            raise NotExactError("the expectation of a formula of higher degree than 2")
-    return total((mean, 1), *((squares[i], S[i][i]) for i in size), *((pairs[i, j], S[i][j]) for i, j in pairs))
+    mean = at()
+    ahead, back = ([at((i, sign)) for i in size] for sign in (1, -1))
+    found = [(mean, 1)]
+    for i in size:
+        found += [(ahead[i], S[i][i] / 2), (back[i], S[i][i] / 2), (mean, -S[i][i])]
+        for j in range(i):
+            found += [(at((i, 1), (j, 1)), S[i][j]), (ahead[i], -S[i][j]), (ahead[j], -S[i][j]), (mean, S[i][j])]
+    return total(*found)
 
 
 def _limit(env: Env, body: Term, letter: Term, at: Term) -> Any:

@@ -97,6 +97,8 @@ class Reader(Expressions):
             for i, argument in enumerate(node.args)
         ]
         found = [*found[:-1], given] if given is not None else found
+        if name == "expectation":  # whose degree is read from the formula
+            found[body] = names.expanded(found[body][0], self.scope.abbreviations), found[body][1]
         if declared is not None:  # definitions in the body may contain the letter
             whole = names.expanded(found[body][0], self.scope.abbreviations)
             if declared in symbols(whole):

@@ -5,6 +5,7 @@ from __future__ import annotations
 import ast
 import difflib
 import re
+from abc import ABC, abstractmethod
 from collections.abc import Sequence
 from itertools import pairwise
 from typing import Any
@@ -68,7 +69,7 @@ def tree(text: str) -> ast.expr:
         raise ClaimError(error.message + hint, error.column + shift) from None
 
 
-class Expressions:
+class Expressions(ABC):
     """Reader of the operators, relations, numbers and names of one text in a scope."""
 
     def __init__(self, text: str, scope: Scope) -> None:
@@ -189,14 +190,17 @@ class Expressions:
         found = [RELATIONS[type(op)](a, b) for op, (a, b) in zip(node.ops, pairwise(terms), strict=True)]
         return (found[0] if len(found) == 1 else operator_table.both(*found)), "truth"
 
+    @abstractmethod
     def _called(self, name: str, node: ast.Call) -> tuple[Term, Kind]:
-        raise NotImplementedError
+        """Return the term of a call."""
 
+    @abstractmethod
     def _member(self, name: str, node: ast.Subscript) -> tuple[Term, Kind]:
-        raise NotImplementedError
+        """Return the term of a member of a family of letters."""
 
+    @abstractmethod
     def _abbreviated(self, called: Abbreviation, node: ast.expr, given: Sequence[ast.expr]) -> tuple[Term, Kind]:
-        raise NotImplementedError
+        """Return the term of a definition with these arguments."""
 
 
 def _constant(node: ast.expr) -> bool:

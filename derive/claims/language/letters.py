@@ -82,6 +82,7 @@ def letters(name: str, kind: str) -> dict[str, tuple[Symbol, Kind]]:
 SIZE_MAX = 12
 """Largest numbers of rows and columns of `identity` and `zeros`."""
 
+
 class Reader(Protocol):
     """Reader of a text, as the literals use it."""
 

@@ -242,7 +242,7 @@ CALLS = {row.operator or name: name for name, row in OPERATIONS.items()} | {"ent
 
 
 def written(term: Term) -> str:
-    """Return a term as a claim; an operator of a paper in Python keeps the characters of its text."""
+    """Return a term as a claim; an operator that no call stands for keeps the characters of its text."""
     return _written(term)[0]
 
 

@@ -144,7 +144,7 @@ TERMS_MAX, NEGLIGIBLE = 400, 12
 
 
 def _over_index(combined: Callable[[Any, Any], Any], empty: int) -> Callable[..., Any]:
-    """Return the value of a sum or product; an infinite one ends where its terms have become negligible."""
+    """Return the value of a sum or product; one without end stops at negligible terms, and its rest has no bound."""
 
     def value(env: Env, index: Term, low: Term, high: Term, body: Term) -> Any:
         first, last = (None if end == infinity else env.value(end) for end in (low, high))

@@ -92,7 +92,7 @@ class Generators(Field):
 
     @property
     def meaning(self) -> dict[str, tuple[str, Any]]:
-        """What each generator stands for, and of which number, monomial or point (y, x)."""
+        """Meaning of each generator, such as a root, with its number, its monomial, or the point (y, x) of an angle."""
         found = {name: (what, self.product(monomial)) for (what, monomial), name in self.meanings.items()}
         rows = (("root", self.extensions), ("logarithm", self.logarithms), ("angle", self.angles))
         return {str(name): (what, known) for what, pairs in rows for known, name in pairs} | found
@@ -287,7 +287,8 @@ class Generators(Field):
             for k in (k for k in range(-2 * self.steps, 2 * self.steps + 1) if k):
                 c, s = self._of_monomial(monomial, Fraction(k, self.steps))
                 if self._along(y, x, s, c):
-                    turns = turns_to_principal(Fraction(k, self.steps), *interval(self, monomial))
+                    closed = any(name in self.closed for name, _ in monomial)
+                    turns = turns_to_principal(Fraction(k, self.steps), *interval(self, monomial), closed)
                     turned = 2 * self.pi * (self.symbol(self._next("turn")) if turns is None else turns)
                     return angle * Fraction(k, self.steps) + turned
         return None

@@ -157,10 +157,11 @@ def _rational(low: Bound, high: Bound, margin: Fraction) -> tuple[Bound, Bound]:
     return near(low, 1), near(high, -1)
 
 
-def turns_to_principal(part: Fraction, low: Bound, high: Bound) -> int | None:
+def turns_to_principal(part: Fraction, low: Bound, high: Bound, closed: bool) -> int | None:
     """Return the number of turns that brings a multiple of each angle of an interval into (−π, π], or None."""
     ends = [sympy.Rational(part.numerator, part.denominator) * end for end in (low, high)]
     if not all(end.is_finite for end in ends):
         return None
     turns = int(sympy.ceiling((-sympy.pi - min(ends)) / (2 * sympy.pi)))
-    return turns if max(ends) + 2 * sympy.pi * turns <= sympy.pi else None
+    least, most = (end + 2 * sympy.pi * turns for end in (min(ends), max(ends)))
+    return turns if most <= sympy.pi and not (closed and least == -sympy.pi) else None

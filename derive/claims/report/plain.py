@@ -89,12 +89,12 @@ def _grouped(value: str) -> str:
 
 
 _FORMULA = re.compile(r"\$(?!\s)([^$]+)(?<!\s)\$(?!\d)")
-_MARKUP = re.compile(r"[\\`*_\[\]|$]")
+_MARKUP = re.compile(r"[\\`*_\[\]|$~]|^[-+#]|(?<=^\d)[.)]|(?<=^\d\d)[.)]")
 
 
 def prose(text: str) -> str:
     """Return words, with formulas between dollars, as Markdown in which they mean no tag, link, cell or formula."""
-    pieces = enumerate(_FORMULA.split(text))
+    pieces = enumerate(_FORMULA.split(" ".join(text.split())))
     return "".join(in_line(in_cell(p)) if i % 2 else _MARKUP.sub(r"\\\g<0>", html.escape(p, False)) for i, p in pieces)
 
 

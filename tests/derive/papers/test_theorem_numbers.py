@@ -45,7 +45,7 @@ DEFINED = {
 STATED_OF = {
     **dict.fromkeys(("lifts", "lifts_both", "q_is"), m.q_hat), "is_sigma_composed": m.sigma, "is_b_composed": m.b,
 }  # fmt: skip
-"""What a named relation is about: it is printed as equal to the arguments."""
+"""Subjects of named relations, which are printed as equal to the arguments."""
 
 FUNCTIONS = {
     "skew": m.skew, "transpose": m.transpose, "rate": m.rate, "det": m.det, "vect": m.vect,

@@ -1,0 +1,92 @@
+"""Partial operations of a statement: what each asks of a number, and terms that are not 0 by their form."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+
+from ..language.matrices import zeros
+from ..language.operator_table import cos, det, infinity, norm, sin
+from ..language.printed import Number, Symbol, Term, symbols
+from .terms import is_dual
+
+ROOTS = tuple(Number(k) / Number(2) for k in (1, 3, 5))
+"""Exponents of powers that have a value at 0."""
+OPEN = "open"
+"""Mark of an operation whose values are not proved to exist."""
+EXPANDED = ("series", "limit at")
+"""Operators that fill removable singularities; that they have a value is seen when they are evaluated."""
+TURNS = ("rotation", "pose 4x4", "unit real quaternion", "orthogonal tensor", "unit quaternion")
+"""Kinds whose values have an inverse."""
+
+
+def _evaluated_nodes(statement: Term) -> Iterator[Term]:
+    yield statement
+    if statement.operator.name not in EXPANDED:
+        for part in statement.arguments:
+            yield from _evaluated_nodes(part)
+
+
+def _point(node: Term) -> Term:
+    """Return the point about which a series or limit is taken; a vector is 0 by its kind."""
+    letter, point = node.arguments[1], Number(0) if node.operator.name == "series" else node.arguments[2]
+    vector = isinstance(letter, Symbol) and "vector" in letter.quantity.name
+    zero: Term = zeros(Number(3), Number(1)) if vector and point == Number(0) else point
+    return zero
+
+
+def is_invertible(part: Term) -> bool:
+    """Return whether a term is a product of displacements, whose inverse exists."""
+    name = part.operator.name
+    if isinstance(part, Symbol):
+        return part.quantity.name.removeprefix("constant ") in TURNS
+    if name in ("times", "inverse", "transpose", "conjugate", "bracket"):
+        return all(map(is_invertible, part.arguments))
+    return (name == "pose of" and is_invertible(part.arguments[0])) or (
+        name == "exp" and part.arguments[0].operator.name == "skew")
+
+
+def is_named(part: Term, named: Sequence[Term]) -> bool:
+    """Return whether a term is not 0 if these terms are not, as a power, a product or a magnitude of them."""
+    if not {part, det(part), norm(part)}.isdisjoint(named):
+        return True
+    name, arguments = part.operator.name, part.arguments
+    if name in ("power", "norm", "negative", "bracket", "root"):
+        return is_named(arguments[0], named)
+    return name == "times" and all(isinstance(a, Number) or is_named(a, named) for a in arguments)
+
+
+def partial_operations(
+    statement: Term, has_slope: Callable[[Term], bool], given: Sequence[Term] = ()
+) -> Iterator[tuple[Term, str]]:
+    """Yield the terms on which a partial operation of a statement depends, with what it asks of them.
+
+    At 0 a magnitude or root has no slope, and a dual number no root. Nothing is asked of the series and limits that are
+    `given` to have a value.
+    """
+    for node in _evaluated_nodes(statement):
+        name, arguments = node.operator.name, node.arguments
+        if name == "over":
+            yield arguments[1], "not 0"
+        elif name == "power" and not (isinstance(arguments[1], Number) and arguments[1].value >= 0):
+            exponent = arguments[1]
+            if exponent not in ROOTS:
+                yield arguments[0], "not 0"
+            if exponent.operator.name in ("over", "negative", "bracket"):
+                yield arguments[0], "not negative"
+        elif name in ("inverse", "rotation of quaternion") or (name == "norm" and has_slope(arguments[0])):
+            yield arguments[0], "not 0"
+        elif name == "root":
+            yield arguments[0], "logarithm" if has_slope(arguments[0]) or is_dual(arguments[0]) else "not negative"
+        elif name in EXPANDED and node not in given:
+            point = None if infinity in arguments else _point(node)
+            for part, asked in partial_operations(arguments[0], has_slope):
+                if any(a.quantity.varies and a != arguments[1] for a in symbols(part)):
+                    yield from [(part.xreplace({arguments[1]: point}), asked)] if point is not None else [(node, OPEN)]
+        elif name == "log":
+            yield arguments[0], "logarithm"
+        elif name in ("acos", "asin"):
+            yield arguments[0], "within 1"
+        elif name in ("tan", "cot"):
+            yield (cos if name == "tan" else sin)(*arguments), "not 0"
+        elif name == "atan2 of two":
+            yield arguments[0] ** 2 + arguments[1] ** 2, "not 0"
