@@ -107,6 +107,14 @@ class Claim:
         )  # fmt: skip
 
     @cached_property
+    def general(self) -> tuple[dict[Symbol, int], ...]:
+        """Values of signs alone if orders and branches are free in a proof, else also of these."""
+        if self.entry.orders is not None:
+            return self.choices
+        signs = [{a: s for a, s in fixed.items() if a.quantity is SIGN} for fixed in self.choices]
+        return tuple(row for i, row in enumerate(signs) if row not in signs[:i])
+
+    @cached_property
     def constraints(self) -> tuple[Term, ...]:
         """Equations in the stated domain, which points must be moved to satisfy."""
         stated = self.entry.claimed

@@ -26,11 +26,10 @@ from ..numbers.fields import innermost
 from ..numbers.generators import Generators
 from ..numbers.intervals import interval
 from .claim import Claim, kind
-from .identity import ABSENT, STRICT, difference, not_negative, setting, with_free_product
+from .identity import ABSENT, STRICT, difference, is_frame_free, not_negative, setting, with_free_product
 from .partial import OPEN, is_invertible, is_named, partial_operations
-from .proof import COMPONENTWISE
 from .singular import size
-from .terms import RELATIONS, is_dual, operators, takes_parts
+from .terms import RELATIONS, is_dual, takes_parts
 
 MARGIN = Fraction(1, 1000)
 """Distance from 0 of a number that is proved not to be 0 at generic values, so it is 0 nowhere."""
@@ -121,21 +120,49 @@ class Signs:
             low, high = interval(self.field, monomial)
             end, most = self.field.steps * sympy.pi, max(abs(low), abs(high))
             reached = most > end or (most == end and any(other in self.ring.closed for other, _ in monomial))
-            if what != "tangent" or not reached or name not in self.field.used(a):
+            if what != "tangent" or not reached or name not in self._hidden(a):
                 continue
             i = self.ring.index(name)
-            if any(self._degree(b, i) < 0 for b in self.apart):
+            if any(self._vanishes_at_half_turn(b, i) for b in self.apart):
                 continue  # the domain or a condition excludes it
-            degree = self._degree(a, i)
-            if degree < 0 or (degree == 0 and not self.is_nonzero(self._leading(a.numerator, i))):
+            if not self._is_apart_at_half_turn(a, i):
                 return False
         return True
 
-    def _degree(self, a: Element, i: int) -> int:
-        """Return the degree of a quotient in a generator, which is 0 where this is infinite if that is negative."""
-        above, below = (max((powers[i] for powers in self.ring.library.terms(part)), default=0)
-                        for part in (a.numerator, a.denominator))  # fmt: skip
-        return int(above - below)
+    def _hidden(self, a: Element) -> set[str]:
+        """Return the generators in a number and in the factors of its powers with integer letters."""
+        factors = [factor for factor, name, _ in self.field.powers.values() if name in self.field.used(a)]
+        found: set[str] = self.field.used(a).union(*map(self.field.used, factors))
+        return found
+
+    def _growth(self, a: Element, i: int) -> tuple[Element, list[Element]]:
+        """Return the degree of a quotient in a generator, and the leading coefficients of the factors above."""
+        degree, leading = self.field.element(0), []
+        powers = {name: (factor, twice) for factor, name, twice in self.field.powers.values()}
+        for part, sign in ((a.numerator, 1), (a.denominator, -1)):
+            for factor, count in self.ring.library.factors(part):
+                number = self.ring.fraction(factor, self.ring.library.one)
+                base, m = next((powers[name] for name in self.field.used(number) & {*powers}
+                                if number == self.field.symbol(name)), (number, Fraction(2)))
+                if not {*powers}.isdisjoint(self.field.used(base)) and self.ring.names[i] in self._hidden(base):
+                    raise NotExactError("a sum of powers with integer letters")
+                highest = int(base.numerator.degrees()[i])
+                degree = degree + m * Fraction(sign * count * highest, 2)
+                leading += [self._leading(base.numerator, i)] if highest and sign > 0 else []
+        return degree, leading
+
+    def _vanishes_at_half_turn(self, a: Element, i: int) -> bool:
+        """Return whether a number is 0 where the tangent of an angle is infinite."""
+        with suppress(NotExactError):
+            return bool(self._growth(a, i)[0].sign() < 0)
+        return False
+
+    def _is_apart_at_half_turn(self, a: Element, i: int) -> bool:
+        """Return whether a number is proved not to be 0 where the tangent of an angle is infinite."""
+        with suppress(NotExactError):
+            degree, leading = self._growth(a, i)
+            return bool(degree.sign() > 0 or (not degree and all(map(self.is_nonzero, leading))))
+        return False
 
     def _leading(self, polynomial: Any, i: int) -> Element:
         """Return the coefficient of the highest power of a generator in a polynomial."""
@@ -148,7 +175,7 @@ class Signs:
 
     def _is_apart(self, factor: Any) -> bool:
         """Return whether a factor is 0 nowhere; that of several letters also in limits of polar forms."""
-        if factor in (self.ring.library.one, *self.nonzero) or self._is_root_apart(factor):
+        if factor in (self.ring.library.one, *self.nonzero) or self._is_power_apart(factor):
             return True
         if any(self._is_above(factor, known * known) for known in self.nonzero):
             return True
@@ -181,10 +208,10 @@ class Signs:
 
         return {*of(a, frozenset())} - {"pi"}
 
-    def _is_root_apart(self, factor: Any) -> bool:
-        """Return whether a factor is the root of a number that is 0 nowhere."""
-        roots = (square for square, name in self.field.extensions if factor == self.field.symbol(name).numerator)
-        return any(map(self.is_nonzero, roots))
+    def _is_power_apart(self, factor: Any) -> bool:
+        """Return whether a factor is a root, or a power with an integer letter, of a number that is 0 nowhere."""
+        rows = (*self.field.extensions, *self.field.powers.values())
+        return any(self.is_nonzero(base) for base, name, *_ in rows if factor == self.field.symbol(name).numerator)
 
     def is_positive(self, a: Element, strict: bool = False, depth: int = DEPTH) -> bool:
         """Return whether a number is proved not to be negative, or to be positive if `strict`.
@@ -231,15 +258,10 @@ class Signs:
         return False
 
 
-def is_frame_free(claim: Claim) -> bool:
-    """Return whether all vectors may be turned together, as no component is taken."""
-    return COMPONENTWISE.isdisjoint(name.split()[0] for name in operators(*claim.parts) if name)
-
-
 def signs_of(claim: Claim, condition: Sequence[Term], parts: Sequence[Term]) -> list[Signs]:
     """Return the signs for each choice of orders and of signs of the roots in parts, with what the domain says."""
     found: list[Signs] = []
-    for fixed in claim.choices:
+    for fixed in claim.general:
         waiting: list[tuple[int, ...]] = [()]
         while waiting:
             chosen = waiting.pop()

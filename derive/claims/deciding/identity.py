@@ -10,6 +10,7 @@ from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
 from functools import partial, reduce
+from itertools import permutations
 from math import lcm, prod
 from typing import Any
 
@@ -21,7 +22,7 @@ from ..language.operator_table import Du, both, equal, over
 from ..language.printed import Number, Symbol, Term, Trait, symbols, walk, with_trait
 from ..numbers.fields import innermost
 from ..numbers.generators import Generators
-from ..numbers.kinds import KINDS, ORDER
+from ..numbers.kinds import BRANCH, KINDS, ORDER
 from ..numbers.residues import Residues, UnluckyError
 from .claim import Claim, kind
 from .constrained import gaps
@@ -38,6 +39,12 @@ CUT = frozenset(("floor of number", "or", "negated", "implies", "iff", "cases"))
 """Operators that jump: a claim that is true at generic values may be false at special ones."""
 STRICT = {"less": True, "at most": False, "greater": True, "at least": False}
 """Order relations, with whether they exclude equality."""
+COMPONENTWISE = frozenset(("vector", "matrix", "block", "entry", "kron", "vec", "zeros"))
+"""First words of operators that depend on the frame."""
+ANGLES = frozenset(("real", "real angle", "dual number", "angle"))
+"""Kinds of numbers that may be any number."""
+WHOLE = frozenset(("π", "integer", "order", "branch"))
+"""Kinds of letters in a multiple of π."""
 ABSENT = (ArithmeticError, TypeError, AttributeError, KeyError, ValueError, IndexError)
 """Errors of a number that a field does not have."""
 Make = Callable[..., Generators]
@@ -67,13 +74,18 @@ def proved_exactly(claim: Claim) -> bool:
     return _for_all_signs(claim, Generators)
 
 
-def _for_all_signs(claim: Claim, make: Make) -> bool:
+def proved_for_all_orders(claim: Claim) -> bool:
+    """Return whether a claim is true for letters as its orders and branches, exactly."""
+    return _for_all_signs(claim, Generators, claim.general)
+
+
+def _for_all_signs(claim: Claim, make: Make, choices: Sequence[Mapping[Symbol, int]] | None = None) -> bool:
     """Return whether a claim is true for all orders and for all signs of roots whose sign is unknown.
 
     Raise NotExactError if the field cannot tell.
     """
     claim, _ = with_free_product(with_solved_equations(claim))
-    for fixed in claim.choices:
+    for fixed in claim.choices if choices is None else choices:
         waiting: list[tuple[int, ...]] = [()]
         while waiting:
             signs = waiting.pop()
@@ -126,9 +138,13 @@ def setting(
     if claim.constraints:
         way = Way.COMPONENTS
     dual = takes_parts(claim.statement, *claim.constraints) or Du.name in operators(*claim.parts)
-    given = bounds(domain), field, closed_letters(domain), dual, way
+    counts = [a for a in claim.letters if a.quantity in (ORDER, BRANCH) and a not in fixed]
+    given = bounds(domain), field, closed_letters(domain), dual, way, counts, bool(counts) and is_frame_free(claim)
     letters = Polar(claim.coordinates, claim.depth, *given)
     env = Env(letters.field, letters.values | dict(fixed), claim.entry.definitions, dual, claim.depth)
+    for letter, turns in _turned(claim.statement).items():
+        if letter.name not in given[0]:
+            env.values[letter] = env.values[letter] - env.value(turns)
     if claim.constraints:
         letters.field.restrict_to([letters.field.element(gap) for gap in gaps(env, claim.constraints)])
     for part in domain:
@@ -136,6 +152,24 @@ def setting(
             with suppress(*ABSENT):
                 letters.field.assumed.append(letters.field.element(not_negative(env, part)))
     return env
+
+
+def _turned(statement: Term) -> dict[Symbol, Term]:
+    """Return the multiples of π that a statement adds to numbers, of which new letters then are the sum."""
+    found: dict[Symbol, Term] = {}
+    for node in walk(statement):
+        for a, b in permutations(node.arguments) if node.operator.name in ("plus", "minus") else ():
+            if a.quantity.name in ANGLES if isinstance(a, Symbol) else False:
+                turns = b if node.operator.name == "plus" or b is node.arguments[0] else -b
+                names = {letter.quantity.name for letter in symbols(b)}
+                if "π" in names and names <= WHOLE:
+                    found.setdefault(a, turns)
+    return found
+
+
+def is_frame_free(claim: Claim) -> bool:
+    """Return whether all vectors may be turned together, as no component is taken."""
+    return COMPONENTWISE.isdisjoint(name.split()[0] for name in operators(*claim.parts) if name)
 
 
 def whole_steps(statement: Term) -> int:

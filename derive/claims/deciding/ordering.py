@@ -20,8 +20,18 @@ from ..numbers.derivation import Along
 from ..numbers.generators import Generators
 from ..numbers.signed import Bound
 from .claim import Claim, kind
-from .existence import MARGIN, Signs, is_frame_free, signs_in, undecided_parts
-from .identity import ABSENT, STRICT, conjuncts, difference, not_negative, orders_of, setting, whole_steps
+from .existence import MARGIN, Signs, signs_in, undecided_parts
+from .identity import (
+    ABSENT,
+    STRICT,
+    conjuncts,
+    difference,
+    is_frame_free,
+    not_negative,
+    orders_of,
+    setting,
+    whole_steps,
+)
 from .polar import ALL, POSITIVE, Way, bounds
 from .proof import proved
 from .terms import operators
