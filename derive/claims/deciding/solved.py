@@ -74,9 +74,9 @@ def _part(operator: Callable[[Term], Term], letter: Symbol) -> Symbol:
 
 def zero_like(letter: Symbol) -> Term:
     """Return the zero of a letter's kind; 0 for a kind without a matrix, which 0 equals too."""
-    rows = {3: (3, 1), 6: (6, 1), 9: (3, 3)}.get(kind(letter).size)
+    rows = {3: (3, 1), 4: (3, 1), 6: (6, 1), 9: (3, 3)}.get(kind(letter).size)
     zero: Term = Number(0) if rows is None else zeros(*map(Number, rows))
-    return zero
+    return Number(0) + zero if kind(letter).size == 4 else zero
 
 
 def with_vectors_for_lengths(domain: Term) -> Term:
