@@ -20,7 +20,7 @@ from ...algebra import Dual, Quaternion, Structure, Tensor
 from ...algebra.element import Element, NotExactError
 from ...algebra.matrix import Matrix
 from ..language.environment import Env
-from ..language.operator_table import nonzero
+from ..language.operator_table import epsilon, nonzero
 from ..language.printed import Number, Term
 from ..numbers.fields import innermost
 from ..numbers.generators import Generators
@@ -29,6 +29,7 @@ from .claim import Claim, kind
 from .identity import ABSENT, STRICT, difference, is_frame_free, not_negative, setting, with_free_product
 from .partial import OPEN, is_invertible, is_named, partial_operations
 from .singular import size
+from .solved import with_solved_equations
 from .terms import RELATIONS, is_dual, takes_parts
 
 MARGIN = Fraction(1, 1000)
@@ -287,6 +288,7 @@ def signs_in(claim: Claim, env: Env, condition: Sequence[Term] = ()) -> Signs:
 
 def undecided_parts(claim: Claim, condition: Sequence[Term] = ()) -> list[Term]:
     """Return the partial operations of a claim that are not proved to have a value."""
+    claim, condition = with_solved_equations(claim, *condition)
     claim, condition = with_free_product(claim, *condition)
     given = [part.arguments[0] for part in condition if part.operator.name == "equal"]  # those have a value
     asking = list(partial_operations(claim.statement, partial(_has_slope, claim), given))
@@ -300,8 +302,9 @@ def undecided_parts(claim: Claim, condition: Sequence[Term] = ()) -> list[Term]:
 
 
 def _has_slope(claim: Claim, part: Term) -> bool:
-    """Return whether rates of a part matter, or its dual part apart from the real one."""
-    return bool(claim.depth or (takes_parts(claim.statement) and is_dual(part)))
+    """Return whether rates of a part matter, or its dual part beside a real one."""
+    is_pure = part.operator.name == "times" and epsilon in part.arguments  # its magnitude is that of the dual part
+    return bool(claim.depth or (takes_parts(claim.statement) and is_dual(part) and not is_pure))
 
 
 def _has_value(signs: Signs, part: Term, asked: str) -> bool:

@@ -264,12 +264,23 @@ class Generators(Field):
         count = multiple * self.steps
         if count.denominator != 1 or not monomial:
             raise NotExactError("a number or a fraction of an angle in a sine")
+        point = next((point for point, angle in self.angles if angle == self.product(monomial)), None)
+        if point is not None and multiple.denominator == 1:
+            return self._turned(*self._on_circle(*point), int(multiple))
         t = self.symbol(self._meaning("tangent", monomial))
-        cosine, sine = (1 - t * t) / (1 + t * t), (2 if count > 0 else -2) * t / (1 + t * t)
-        c, s = one, zero
-        for _ in range(abs(int(count))):
+        return self._turned((1 - t * t) / (1 + t * t), 2 * t / (1 + t * t), int(count))
+
+    def _on_circle(self, y: Any, x: Any) -> tuple[Any, Any]:
+        """Return cosine and sine of the angle of a point."""
+        radius = self._sqrt(x * x + y * y)
+        return x / radius, y / radius
+
+    def _turned(self, cosine: Any, sine: Any, count: int) -> tuple[Any, Any]:
+        """Return cosine and sine of a multiple of an angle."""
+        c, s = self.element(1), self.element(0)
+        for _ in range(abs(count)):
             c, s = c * cosine - s * sine, c * sine + s * cosine
-        return c, s
+        return c, s if count > 0 else -s
 
     def _exp(self, a: Any) -> Any:
         found = self.element(1)
