@@ -88,7 +88,9 @@ class Signs:
             elif name in STRICT:
                 gap = self.field.element(not_negative(self.env, part))
                 self.field.assumed += [gap, *self._squared(gap)]
-                self.nonzero.extend(self.ring.factors(gap) if STRICT[name] else [])
+                if STRICT[name]:
+                    self.apart.append(gap)
+                    self.nonzero.extend(self.ring.factors(gap))
             elif name in ("both", "and"):
                 for one in arguments:
                     self.assume(one)
