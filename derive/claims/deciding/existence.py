@@ -48,6 +48,7 @@ class Signs:
     named: list[Term] = of_class(default_factory=list)  # terms that are not 0
     free: bool = False  # whether a frame may be turned so that no direction is the one that polar forms leave out
     numbers: frozenset[str] = frozenset()  # letters that are numbers, whose polar form leaves nothing out
+    outward: tuple[str, ...] = ()  # coordinates that are infinite for the direction that a letter's form leaves out
 
     @property
     def field(self) -> Any:
@@ -114,17 +115,12 @@ class Signs:
         """Return whether a number is proved to be 0 nowhere."""
         if a in self.apart or -a in self.apart:
             return True
-        return bool(a) and self._is_apart_at_half_turns(a) and (all(map(self._is_apart, self.ring.factors(a))) or (
+        return bool(a) and self._is_apart_at_infinity(a) and (all(map(self._is_apart, self.ring.factors(a))) or (
             not self.free and any(self.field.is_positive(b - MARGIN) for b in (a, -a))))
 
-    def _is_apart_at_half_turns(self, a: Element) -> bool:
-        """Return whether a number is not 0 where the tangent of an angle is infinite, which generators leave out."""
-        for (what, monomial), name in self.field.meanings.items():
-            low, high = interval(self.field, monomial)
-            end, most = self.field.steps * sympy.pi, max(abs(low), abs(high))
-            reached = most > end or (most == end and any(other in self.ring.closed for other, _ in monomial))
-            if what != "tangent" or not reached or name not in self.field.used(a):
-                continue
+    def _is_apart_at_infinity(self, a: Element) -> bool:
+        """Return whether a number is not 0 where a generator is infinite, as at half turns."""
+        for name in self.field.used(a).intersection(self._infinite()):
             i = self.ring.index(name)
             if any(self._degree(b, i) < 0 for b in self.apart):
                 continue  # the domain or a condition excludes it
@@ -132,6 +128,16 @@ class Signs:
             if degree < 0 or (degree == 0 and not self.is_nonzero(self._leading(a.numerator, i))):
                 return False
         return True
+
+    def _infinite(self) -> Iterator[str]:
+        """Yield the generators that are infinite at values of letters: tangents, and coordinates of directions."""
+        yield from () if self.free else self.outward
+        for (what, monomial), name in self.field.meanings.items():
+            low, high = interval(self.field, monomial)
+            end, most = self.field.steps * sympy.pi, max(abs(low), abs(high))
+            reached = most > end or (most == end and any(other in self.ring.closed for other, _ in monomial))
+            if what == "tangent" and reached:
+                yield name
 
     def _degree(self, a: Element, i: int) -> int:
         """Return the degree of a quotient in a generator, which is 0 where this is infinite if that is negative."""
@@ -259,7 +265,9 @@ def signs_in(claim: Claim, env: Env, condition: Sequence[Term] = ()) -> Signs:
     domain = [nonzero(a) for a in claim.coordinates if kind(a).invertible]
     domain += [] if claim.entry.claimed is None else [claim.entry.claimed]
     free = is_frame_free(claim) and not any(kind(a).projective and kind(a).size == 4 for a in claim.coordinates)
-    signs = Signs(env, free=free, numbers=frozenset(a.name for a in claim.coordinates if kind(a).size == 1))
+    outward = (f"{a.name}.{stem}" for a in claim.coordinates for stem in ("s", *(["1"] if kind(a).projective else [])))
+    signs = Signs(env, free=free, numbers=frozenset(a.name for a in claim.coordinates if kind(a).size == 1),
+                  outward=tuple(outward))  # fmt: skip
     for part in (*domain, *condition):
         signs.assume(part)
     return signs
