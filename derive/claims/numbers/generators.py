@@ -191,7 +191,7 @@ class Generators(Field):
         return power(self, base, exponent) if isinstance(exponent, Element) else super().power(base, exponent)
 
     def parity(self, monomial: Monomial, of: str = "one") -> int:
-        """Return 1 for an even product of integers and -1 for an odd one, by the next of `signs`; also `of` its half."""
+        """Return 1 for an even product of integers, -1 for an odd one, by the next of `signs`; also `of` its half."""
         if not monomial:
             return -1 if of == "one" else 1
         known = of, tuple((name, 1) for name, _ in monomial) if of == "one" else monomial
@@ -257,7 +257,6 @@ class Generators(Field):
         return c, s
 
     def _of_monomial(self, monomial: Monomial, multiple: Fraction) -> tuple[Any, Any]:
-        one, zero = self.element(1), self.element(0)
         whole = tuple(row for row in monomial if row != ("pi", 1))
         if len(whole) < len(monomial) and is_whole(self, whole) and (2 * multiple).denominator == 1:
             return self._quarters(whole, int(2 * multiple))

@@ -50,7 +50,7 @@ def _to_the(field: Any, base: Any, monomial: Monomial) -> Any:
 
 
 def _factors(field: Any, a: Any) -> Iterator[tuple[Any, int]]:
-    """Yield the factors of a number with their exponents: -1, primes, and polynomials, positive if they have one sign."""
+    """Yield the factors of a number with exponents: -1, primes, and polynomials, positive if they have one sign."""
     rest = a
     for part, sign in ((a.numerator, 1), (a.denominator, -1)):
         for factor, count in field.ring.library.factors(part):
