@@ -135,13 +135,13 @@ class Claim:
 
     @cached_property
     def dual(self) -> bool:
-        dual = self.apart or bool(self.entry.where) or any(kind(letter).dual for letter in self.coordinates)
+        dual = self.apart or any(kind(letter).dual for letter in self.coordinates)
         return dual and not self.flat
 
     @cached_property
     def depth(self) -> int:
         """Highest order of a time derivative."""
-        depth = max(self.entry.moving, *map(rate_depth, self.parts))
+        depth = max(map(rate_depth, self.parts))
         if depth > RATES_MAX:
             raise RefusedError(f"rates are nested more than {RATES_MAX} deep")
         return 0 if self.flat else depth
@@ -157,7 +157,7 @@ class Claim:
         values: dict[Symbol, Any] = {a: value for a, value in place.at.items() if a not in self.coordinates}
         for letter in self.coordinates:
             values[letter] = self.value(letter, place, field)
-        return Env(field or Balls(moving=bool(self.depth)), values, self.entry.definitions, self.dual, self.depth)
+        return Env(field or Balls(moving=bool(self.depth)), values, self.dual, self.depth)
 
     @cached_property
     def _last(self) -> dict[str, Any]:
@@ -251,7 +251,7 @@ class Claim:
     def of_number(self, part: Term) -> Claim:
         """Return the claim about the current real value of a part, if dual parts and rates do not matter for it."""
         alone = self.within().with_statement(part)
-        matters = alone.apart or with_trait(Trait.RATE, part) or self.entry.where
+        matters = alone.apart or with_trait(Trait.RATE, part)
         return alone if matters else replace(alone, flat=True)
 
     def within(self, *terms: Term) -> Claim:

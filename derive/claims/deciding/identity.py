@@ -142,7 +142,7 @@ def setting(
     counts = [a for a in claim.letters if a.quantity in (ORDER, BRANCH) and a not in fixed]
     given = bounds(domain), field, closed_letters(domain), dual, way, counts, bool(counts) and is_frame_free(claim)
     letters = Polar(claim.coordinates, claim.depth, *given)
-    env = Env(letters.field, letters.values | dict(fixed), claim.entry.definitions, dual, claim.depth)
+    env = Env(letters.field, letters.values | dict(fixed), dual, claim.depth)
     for letter, turns in _turned(claim.statement).items():
         if letter in env.values and letter.name not in given[0]:
             env.values[letter] = env.values[letter] - env.value(turns)

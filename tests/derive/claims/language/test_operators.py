@@ -51,7 +51,6 @@ def test_every_quantity_is_used_and_names_are_unique_in_an_entry() -> None:
     for entry in (entry for paper in PAPERS for entry in paper.entries()):
         parts = [*statements(entry), *filter(None, (entry.claimed, entry.condition))]
         found = {symbol for part in parts for symbol in symbols(part)}
-        found |= {symbol for d in entry.where for symbol in (d.symbol, *d.arguments)}
         assert len({symbol.name for symbol in found}) == len(found), entry.number
         used |= {symbol.quantity for symbol in found}
     assert {row for row in QUANTITIES.values() if row.name not in KINDS} <= used
