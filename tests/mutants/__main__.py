@@ -4,7 +4,6 @@ A mutant has one small change, which tests should refuse. The command draws a sa
 each one in a separate process, lists the survivors and prints the score. The tree stays unchanged.
 
 ========== ==========================================================================================================
-statements true statements of the papers with one mark changed: executing them must fail
 programs   straight-line programs of the NumPy target with one operation changed: validation must fail
 maps, proof, lowering, templates
            sources with one token changed: `generate`, or the tests of the room, must fail
@@ -18,10 +17,10 @@ import sys
 from collections import Counter
 from collections.abc import Sequence
 
-from . import lines, programs, statements
-from .mutant import EQUIVALENT, KILLED, Mutant, Room, Verdict, sampled, tried
+from . import lines, programs
+from .mutant import KILLED, Mutant, Room, Verdict, sampled, tried
 
-ROOMS: dict[str, Room] = {"statements": statements.mutants, "programs": programs.mutants} | lines.ROOMS
+ROOMS: dict[str, Room] = {"programs": programs.mutants} | lines.ROOMS
 SAMPLE, SEED, JOBS = 40, 88, 2
 
 
@@ -46,18 +45,14 @@ def main(arguments: Sequence[str] | None = None) -> int:
 def _report(room: str, population: int, sample: Sequence[Mutant], verdicts: Sequence[Verdict]) -> float:
     """Print survivors and score of a room; return its percentage of killed mutants."""
     for mutant, verdict in zip(sample, verdicts, strict=True):
-        if verdict.kind not in (KILLED, EQUIVALENT):
+        if verdict.kind != KILLED:
             print(f"{room}: survives: {mutant}")
     counts = Counter(verdict.kind for verdict in verdicts)
     by = Counter(verdict.by.partition(" ")[0] for verdict in verdicts if verdict.kind == KILLED)
-    total = len(sample) - counts[EQUIVALENT]
-    score = 100 * counts[KILLED] / total if total else 100.0
+    score = 100 * counts[KILLED] / len(sample) if sample else 100.0
     stages = ", ".join(f"{count} by {stage}" for stage, count in by.most_common())
-    print(
-        f"{room}: {counts[KILLED]} of {total} killed ({score:.1f} %; {stages}), {counts[EQUIVALENT]} more are "
-        f"equivalent; drawn from {population}",
-        flush=True,
-    )
+    killed = f"{counts[KILLED]} of {len(sample)} killed"
+    print(f"{room}: {killed} ({score:.1f} %; {stages}); drawn from {population}", flush=True)
     return score
 
 
