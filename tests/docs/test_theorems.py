@@ -1,10 +1,8 @@
-"""Page of theorems: it is current, and all controls fail; each kernel function cites existing theorems."""
+"""Each kernel function cites existing theorems; `make check-theorems` decides page and controls."""
 
 from __future__ import annotations
 
-import re
-from collections.abc import Iterable, Iterator
-from pathlib import Path
+from collections.abc import Iterator
 
 import pytest
 
@@ -13,35 +11,13 @@ from derive.pages.explain import COVERAGE
 from derive.proof import notation as m
 from derive.proof import theorems
 from derive.proof.evaluation import NoValueError
-from derive.proof.identity import Check, Proof, decide
-from derive.proof.methods import Theorem, decided
+from derive.proof.identity import Check, decide
 from docs.pages import proving as command
-from docs.pages.controls import Control, controls
-from docs.pages.theorems import as_json, page
-
-PAGE = Path(__file__).parents[2] / "docs" / "theorems.md"
-TEXT = PAGE.read_text(encoding="utf-8")
-COUNTS = {
-    name: int(count)
-    for name, count in re.findall(r"<summary><b>(.+)</b></summary>\n\n(?:.+\n)*?- controls: (\d+)$", TEXT, re.M)
-}
-"""Number of controls by title of a part of the page."""
+from docs.pages.controls import Control
 
 
-@pytest.fixture(scope="module")
-def claimed() -> tuple[Proof, ...]:
-    """Return the proofs of all theorems; a proof uses only earlier proofs."""
-    return decided(command.CLAIMS)
-
-
-def test_page_and_its_facts_are_current(claimed: tuple[Proof, ...]) -> None:
-    assert page(claimed, command.at_order(command.SHOWN), COUNTS) == TEXT
-    assert as_json(claimed, COUNTS) == PAGE.with_suffix(".json").read_text(encoding="utf-8")
-
-
-def test_proved_control_is_an_error(
-    claimed: tuple[Proof, ...], monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_proved_control_is_an_error(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+    claimed = theorems()
     monkeypatch.setattr(command, "decided", lambda _: claimed[:1])
     monkeypatch.setattr(command, "ORDERS", ())
     monkeypatch.setattr(command, "controls", lambda *_: [Control("t", "nothing altered", claimed[0])])
@@ -55,28 +31,6 @@ def test_missing_value_is_no_failed_control() -> None:
         yield
 
     assert not Control("t", "a", decide("t", (), "", checks)).noticed
-
-
-SAMPLE = 16  # stride of the sample of theorems whose controls are tested; `make check-theorems` runs those of all
-
-
-@pytest.mark.parametrize("theorem", command.CLAIMS[::SAMPLE], ids=lambda theorem: theorem.name)
-def test_controls_fail(theorem: Theorem, claimed: tuple[Proof, ...]) -> None:
-    scope = "" if theorem.scope == "all n" else f" [{theorem.scope}]"
-    found = [*controls([theorem], {proof.name: proof for proof in claimed})]
-    assert unnoticed(found) == []
-    assert len(found) == COUNTS[theorem.name + scope] > len(theorem.claim) + len(theorem.premises) - 1
-
-
-def test_controls_at_an_order_fail() -> None:
-    found = command.controlled_at(command.SHOWN)
-    assert unnoticed(found) == []
-    scope = f" [n = {command.SHOWN}]"
-    assert len(found) == sum(count for title, count in COUNTS.items() if title.endswith(scope)) > 40
-
-
-def unnoticed(found: Iterable[Control]) -> list[str]:
-    return [str(control) for control in found if not control.noticed]
 
 
 # --- coverage of kernel functions -------------------------------------------------------------------------------------
