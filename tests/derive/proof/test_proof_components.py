@@ -16,7 +16,7 @@ from derive.proof.evaluation import AtPoint
 from derive.proof.identity import Equation, Multiplier
 
 
-@pytest.mark.parametrize("n", [8, 13, 64])
+@pytest.mark.parametrize("n", [8, 13, pytest.param(64, marks=pytest.mark.thorough)])
 def test_both_roads_agree_with_the_formulas(n: int) -> None:
     """Prove orders beyond those of `make check-theorems`."""
     cayley = Cayley(n)
