@@ -3,17 +3,16 @@
 from __future__ import annotations
 
 import itertools
-from collections.abc import Callable
 from pathlib import Path
 
 import pytest
 
 from derive.codegen import ValidationFailed
+from derive.codegen.build import print_package
 from derive.codegen.targets import TARGETS
 from derive.codegen.validation import compiled
 from derive.maps import Cayley
 from derive.output import files
-from tests.support import packages
 
 pytestmark = pytest.mark.compiler
 
@@ -21,8 +20,10 @@ CHART, NATIVE = Cayley(3), TARGETS["native"]
 
 
 @pytest.fixture(scope="module")
-def folder(shared: Callable[[str, Callable[[Path], object]], Path]) -> Path:
-    return shared("native_sources", lambda place: packages.write([3], "native", place))
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    found = tmp_path_factory.mktemp("native")
+    files.write(found, print_package([CHART], NATIVE, tested=False).texts)
+    return found
 
 
 ERRORS = ("int broken(void) { return }", "int unknown(void) { return dualcay_unknown(1); }")
