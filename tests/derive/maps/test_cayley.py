@@ -8,7 +8,6 @@ from fractions import Fraction
 import pytest
 import sympy
 
-import derive
 from derive.algebra import dual_part, real_part
 from derive.maps import Cayley, cayley_scalars, x
 
@@ -82,13 +81,6 @@ def test_values_are_frozen_and_equal_by_content() -> None:
         Cayley(3).order = 4  # type: ignore[misc]
     with pytest.raises(dataclasses.FrozenInstanceError):
         Cayley(3).tensor.order = 4  # type: ignore[misc]
-
-
-def test_prove_lists_proofs_for_all_n_and_for_this_one() -> None:
-    proofs = derive.Cayley(2).prove()
-    assert isinstance(proofs, list)
-    assert {"all n", "n = 2"} <= {proof.scope for proof in proofs}
-    assert all(proof.status == "proved" for proof in proofs)
 
 
 def test_bad_input() -> None:

@@ -30,7 +30,7 @@ def _quotient(above: sympy.Expr) -> Any:
 
 
 def _exact(e: sympy.Expr, angle: str) -> Any:
-    with mpmath.workdps(3000 if "e-" in angle else 2 * DIGITS):
+    with mpmath.workdps(2 * DIGITS - 3 * mpmath.frexp(mpmath.mpf(angle))[1] // 2):
         return evaluate(elementary(e), alpha, mpmath.mpf(angle))
 
 
