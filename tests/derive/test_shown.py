@@ -10,7 +10,6 @@ import re
 import shutil
 import subprocess
 import sys
-from collections.abc import Callable
 from fractions import Fraction
 from functools import cache, cached_property
 from pathlib import Path
@@ -138,9 +137,8 @@ def test_less_than_sign_is_escaped() -> None:
 def charts() -> list[Any]:
     n = sympy.Symbol("n", integer=True, positive=True)
     return [
-        derive.Cayley(3), derive.Cayley(n), derive.Cayley(n + 1),
-        *map(derive.family, ("lambert", "breusing", "exponential", "scaled3", "sine7", "reduced_euler_rodrigues")),
-        *map(derive.Parameterization, ("alpha/(1 + alpha**2/40)", "alpha + alpha**3/100", "3*sin(alpha/6)/2")),
+        derive.Cayley(3), derive.Cayley(n + 1), *map(derive.family, ("lambert", "breusing", "exponential", "scaled3")),
+        *map(derive.Parameterization, ("alpha/(1 + alpha**2/40)", "3*sin(alpha/6)/2")),
     ]  # fmt: skip
 
 
@@ -162,21 +160,17 @@ def results() -> tuple[Any, ...]:
     )  # fmt: skip
 
 
-COPIES: list[Callable[[Any], Any]] = [copy.copy, copy.deepcopy, lambda item: pickle.loads(pickle.dumps(item))]
-
-
-@pytest.mark.parametrize("copied", COPIES)
-def test_public_objects_are_copied_pickled_and_hashed(copied: Callable[[Any], Any]) -> None:
+def test_public_objects_are_copied_pickled_and_hashed() -> None:
     for item in (*charts(), *maps(), *results()):
-        other = copied(item)
-        assert type(other) is type(item)
-        assert other == item
-        assert hash(other) == hash(item)
-        assert repr(other) == repr(item)
-        assert sympy.latex(other) == sympy.latex(item)
+        shown = hash(item), repr(item), sympy.latex(item)
+        for other in (copy.copy(item), copy.deepcopy(item), pickle.loads(pickle.dumps(item))):
+            assert type(other) is type(item)
+            assert other == item
+            assert (hash(other), repr(other), sympy.latex(other)) == shown
     for chart in charts():
-        assert copied(chart).tangent.coefficients == chart.tangent.coefficients
-        assert callable(copied(chart).prove)
+        other = pickle.loads(pickle.dumps(chart))
+        assert other.tangent.coefficients == chart.tangent.coefficients
+        assert callable(other.prove)
 
 
 def test_failed_proof_keeps_its_failures_in_copies() -> None:

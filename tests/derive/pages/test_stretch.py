@@ -128,20 +128,6 @@ def test_a_plot_is_written(tmp_path: Path):
     assert "<svg" in (tmp_path / "plot.svg").read_text(encoding="utf-8")
 
 
-@pytest.mark.parametrize(
-    ("arguments", "reason"),
-    [
-        (("--phi", "cos(alpha)"), "not odd by its structure"),
-        (("--phi", "__import__('os')"), "not understood in phi"),
-        (("--family", "none"), "a family is one of"),
-    ],
-)
-def test_refusals_are_usage_errors(arguments: tuple[str, ...], reason: str):
-    done = dualcay("compare", *arguments)
-    assert done.returncode == 2
-    assert reason in done.stderr
-
-
 def test_committed_page_is_current():
     done = dualcay("compare", "--format", "markdown")
     assert done.stdout == (ROOT / "docs" / "parameterizations.md").read_text(encoding="utf-8")

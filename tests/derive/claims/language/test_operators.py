@@ -7,7 +7,7 @@ import pytest
 from derive.algebra import Dual, Vector
 from derive.claims.language import values
 from derive.claims.language.operator_table import Re, epsilon, equal, implies, nonzero, norm, sin, tan
-from derive.claims.language.printed import Apply, Symbol, Trait, latex, shown_as, symbols, takes_apart, text, with_trait
+from derive.claims.language.printed import Apply, Symbol, Trait, latex, shown_as, symbols, takes_apart, with_trait
 from derive.claims.numbers.kinds import KINDS, QUANTITIES
 from derive.papers import PAPERS
 
