@@ -36,7 +36,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
             return 3
         sample = sampled(mutants, options.sample, options.seed)
         scores[room] = _report(room, len(mutants), sample, list(tried(sample, options.jobs)))
-    short = [room for room, score in scores.items() if score < options.floor.get(room, options.floor.get("", 0.0))]
+    short = [room for room, score in scores.items() if score < options.floor]
     if short:
         print(f"below the floor: {', '.join(short)}", file=sys.stderr)
     return 1 if short else 0
@@ -62,7 +62,7 @@ def _options(arguments: Sequence[str] | None) -> argparse.Namespace:
     parser.add_argument("--sample", type=int, default=SAMPLE, help="mutants of each room (default: %(default)s)")
     parser.add_argument("--seed", type=int, default=SEED, help="seed of the sample (default: %(default)s)")
     parser.add_argument("--jobs", type=int, default=JOBS, help="processes at once (default: %(default)s)")
-    parser.add_argument("--floor", type=_floor, default={}, help="least percentage: 95, or maps=90,programs=95")
+    parser.add_argument("--floor", type=float, default=0.0, help="least percentage of each room")
     return parser.parse_args(arguments)
 
 
@@ -71,12 +71,6 @@ def _rooms(text: str) -> tuple[str, ...]:
     if unknown := [name for name in names if name not in ROOMS]:
         raise argparse.ArgumentTypeError(f"no room {', '.join(unknown)}: expected {', '.join(ROOMS)}")
     return names
-
-
-def _floor(text: str) -> dict[str, float]:
-    pairs = [part.rpartition("=") for part in text.split(",")]
-    _rooms(",".join(name for name, _, _ in pairs if name) or next(iter(ROOMS)))
-    return {name: float(value) for name, _, value in pairs}
 
 
 if __name__ == "__main__":

@@ -138,7 +138,7 @@ def test_trials_that_compute_long_are_killed_and_those_that_wait_are_not(run_apa
     assert run_apart(long_trials) == [Verdict(KILLED, "time limit"), Verdict(SURVIVED)]
 
 
-@pytest.mark.parametrize(("floor", "code"), [("50", 0), ("51", 1), ("some=40", 0), ("some=60", 1)])
+@pytest.mark.parametrize(("floor", "code"), [("50", 0), ("51", 1)])
 def test_command_prints_survivors_and_holds_rooms_to_the_floor(
     floor: str, code: int, run_apart: Callable[..., Any]
 ) -> None:
