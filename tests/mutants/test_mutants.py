@@ -127,6 +127,7 @@ def run_command(kinds: Mapping[str, str], *arguments: str) -> tuple[int, str]:
         return command.main(["--room", "some", *arguments]), out.getvalue()
 
 
+@pytest.mark.thorough
 def test_trials_are_isolated_and_verdicts_come_in_order(run_apart: Callable[..., Any]) -> None:
     found = run_apart(four_trials)
     assert [verdict.kind for verdict in found] == [SURVIVED, KILLED, KILLED]
@@ -134,10 +135,12 @@ def test_trials_are_isolated_and_verdicts_come_in_order(run_apart: Callable[...,
     assert found[2].by == "crash"
 
 
+@pytest.mark.thorough
 def test_trials_that_compute_long_are_killed_and_those_that_wait_are_not(run_apart: Callable[..., Any]) -> None:
     assert run_apart(long_trials) == [Verdict(KILLED, "time limit"), Verdict(SURVIVED)]
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize(("floor", "code"), [("50", 0), ("51", 1)])
 def test_command_prints_survivors_and_holds_rooms_to_the_floor(
     floor: str, code: int, run_apart: Callable[..., Any]
@@ -149,6 +152,7 @@ def test_command_prints_survivors_and_holds_rooms_to_the_floor(
     assert "some: 1 of 2 killed (50.0 %; 1 by tests); drawn from 2" in said
 
 
+@pytest.mark.thorough
 def test_unchanged_tree_must_pass(run_apart: Callable[..., Any]) -> None:
     code, _ = run_apart(run_command, {"unchanged": KILLED})
     assert code == 3

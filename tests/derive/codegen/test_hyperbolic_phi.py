@@ -53,6 +53,7 @@ def oracle(name: str) -> OfSquare:
     return OfSquare(PHI[name][1])
 
 
+@pytest.mark.thorough
 def test_every_function_agrees_with_first_principles(kernels: ModuleType, oracle: OfSquare):
     families.require_every_function(kernels, oracle, REGIMES)
 
