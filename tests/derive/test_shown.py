@@ -83,8 +83,13 @@ def test_list_is_a_table_in_a_notebook(found) -> None:
     assert Listing[Proof]()._repr_html_() == '<table class="mathjax_process">\n</table>'
 
 
+@cache
+def compared() -> Any:
+    return derive.compare([2], ["lambert"])
+
+
 def test_comparison_is_a_table_with_figures() -> None:
-    rows = derive.compare([2], ["lambert"])
+    rows = compared()
     cells = [row.cells() for row in rows]
     assert [(row["chart"], row["edge/π"]) for row in cells] == [("cayley2", "2"), ("lambert", "2")]
     assert cells[0]["condition of Re T at π"] == "1"  # n = 2 is conformal
@@ -156,7 +161,7 @@ def results() -> tuple[Any, ...]:
         *theorems(), *derive.family("exponential").prove(), *derive.Cayley(2).prove()[-3:], failed, *verified,
         *(result.equation for result in verified), *(result.verdicts[0] for result in verified),
         derive.explain(derive.Cayley(2), "pose"), derive.motion_equation("90", 2), derive.motion_equation("70"),
-        *derive.compare([2], ["lambert"]), Package({"a": "b"}, ()),
+        *compared(), Package({"a": "b"}, ()),
     )  # fmt: skip
 
 

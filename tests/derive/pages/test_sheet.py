@@ -106,9 +106,10 @@ WIDE = r"""<script>addEventListener("load", () => {
 
 
 @pytest.fixture(scope="module")
-def written(tmp_path_factory: pytest.TempPathFactory) -> Path:
+def written(pages: tuple[sheet.Page, ...], tmp_path_factory: pytest.TempPathFactory) -> Path:
     output = tmp_path_factory.mktemp("sheet") / "sheet.html"
-    done = dualcay("show", "--what", "sheet", "-o", str(output))
+    with mock.patch.object(sheet_files, "sheet", return_value=pages):
+        done = dualcay("show", "--what", "sheet", "-o", str(output))
     assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
     return output
 
