@@ -74,12 +74,12 @@ def test_right_hand_sides_are_the_printed_ones_exactly(number: str, order: int |
 def test_rates_are_those_of_the_kernels(number: str, order: int | None) -> None:
     equation = motion_equation(number, order)
     module, omega = motions.kernels(equation), np.arange(1.0, 7.0) / 7
-    v = module.from_pose(motions.pose(0.7))
-    found = equation.rhs(0, motions.state(equation, v), lambda t: omega)
-    # a complex step of the kernels along v̇, accurate to rounding
-    v_dot = (module.rate if equation.frame == "space" else module.body_rate)(v, omega)
-    moved = motions.state(equation, v + 1e-30j * v_dot)
-    np.testing.assert_allclose(found, moved.imag / 1e-30, rtol=0, atol=1e-13)
+    for v in module.from_pose(motions.pose(0.7)) * np.array([[1.0], [2.5]]):  # beyond the series of the exponential too
+        found = equation.rhs(0, motions.state(equation, v), lambda t: omega)
+        # a complex step of the kernels along v̇, accurate to rounding
+        v_dot = (module.rate if equation.frame == "space" else module.body_rate)(v, omega)
+        moved = motions.state(equation, v + 1e-30j * v_dot)
+        np.testing.assert_allclose(found, moved.imag / 1e-30, rtol=0, atol=1e-13)
 
 
 @EVERY

@@ -10,10 +10,9 @@ from click.testing import CliRunner
 
 from derive.cli.commands import cli
 from derive.codegen import ValidationFailed, check_charts, generate
-from derive.codegen.lowering.scalar_programs import SCALARS
 from derive.codegen.package import notices
 from derive.codegen.programs.trace import Trace
-from derive.codegen.signatures import KERNELS, POSES, ROTATIONS, geometry, lower_chart
+from derive.codegen.signatures import KERNELS, POSES, ROTATIONS, lower_chart
 from derive.codegen.targets import TARGETS, c, c99
 from derive.codegen.validation import compiled
 from derive.codegen.validation.float_cases import cases
@@ -41,15 +40,6 @@ def printed(record, names=("a", "b")):
     trace = Trace()
     values = trace.inputs("v", names)
     return c99.core(trace.program("pose", [record(trace, *values)] + [0] * 15), KERNELS["pose"].results, {}).text
-
-
-def test_components_are_loaded_before_any_result_is_stored():
-    text = c99.core(geometry()["compose"], KERNELS["compose"].results, {}).text
-    loads = [found.start() for found in re.finditer(r"= \w+_at\[", text)]
-    stores = [found.start() for found in re.finditer(r"^\s+\w+_at\[[^]]*\] =", text, re.MULTILINE)]
-    assert len(loads) == 12
-    assert len(stores) == 6
-    assert max(loads) < min(stores)
 
 
 def test_a_choice_of_integers_is_a_real_number():
@@ -113,23 +103,6 @@ def test_parameters_that_are_not_read_are_cast_to_void():
     trace.inputs("x", ["x"])
     text = c99.scalar(trace.program("direction", trace.inputs("y", ["y"])), {}).text
     assert text == "    (void)x;\n    *sign_at = y;"
-
-
-@pytest.mark.parametrize("table", [POSES, ROTATIONS], ids=["poses", "rotations"])
-@pytest.mark.parametrize("order", [1, 2, 3, 8, 64])
-def test_every_program_prints_with_the_numbers_of_its_row(order, table):
-    chart = Cayley(order)
-    lowered, decimals = lower_chart(chart, table), dict.fromkeys(c.table_names(chart), "0")
-    for name, program in geometry(table).items():
-        row = table.kernels[name]
-        printed = c99.core(program, row.results, decimals).parameters
-        assert printed.count("const dualcay_real *") == len(row.arguments), name
-        assert printed.count("dualcay_real *") == len(row.arguments) + len(row.results), name
-        assert len(program.outputs) == sum(array.size for array in row.results), name
-    for name, program in lowered.scalars.items():
-        printed, scalar = c99.scalar(program, decimals).parameters, SCALARS[name]
-        assert re.findall(r"\*(\w+)_at", printed) == list(scalar.results), name
-        assert re.findall(r"dualcay_real (\w+)", printed) == [a for a in scalar.arguments if a != "table"], name
 
 
 def test_library_level_of_a_function_includes_its_scalars():

@@ -77,14 +77,6 @@ def test_figures_of_some_charts():
     assert found["lambert"]["measured"] == json.loads((ROOT / MEASUREMENTS).read_text(encoding="utf-8"))["lambert"]
 
 
-def test_tables_are_at_most_120_wide():
-    done = dualcay("compare", "-n", "1", "--family", "exponential")
-    assert done.returncode == 0
-    assert "exponential" in done.stdout
-    assert "nanoseconds for a pose of N, as measured" in done.stdout
-    assert max(map(len, done.stdout.splitlines())) <= 120
-
-
 def test_chart_without_kernels_is_compared_with_the_reason(monkeypatch):
     monkeypatch.setenv("COLUMNS", "120")  # narrower screens show lines instead of a table
     (chart,) = catalogue.charts(phi="atanh(alpha/5)", name="mine")
