@@ -34,10 +34,6 @@ def test_singular_values_match_the_kernels(chart, kernels, angle: float):
     assert found.condition == pytest.approx(values[0] / values[-1], rel=1e-12)
 
 
-def test_second_order_is_conformal():
-    assert all(stretch(Cayley(2).phi, a).condition == pytest.approx(1, rel=1e-14) for a in (0.1, 3.0, 6.0))
-
-
 @pytest.mark.parametrize("angle", [math.pi / 2, math.pi])
 def test_best_phi_is_above_the_bound_and_generates(angle: float):
     """Expect the squared bound for the exponential chart, and values between bound and square for sines and cubics."""
