@@ -25,7 +25,9 @@ LEFT = (0.2, 0.1, 3e-2, 3e-3, 1e-4)  # distances from the edge, as shares of the
 EDGES = [(name, LEFT[i % 5]) for i, name in enumerate(FAMILIES) if name != "exponential"]
 
 
-@pytest.mark.parametrize(("name", "left"), EDGES)
+@pytest.mark.parametrize(
+    ("name", "left"), [*EDGES[::2], *(pytest.param(*each, marks=pytest.mark.thorough) for each in EDGES[1::2])]
+)
 def test_steps_next_to_an_edge_stay_within_gates(name: str, kernels: ModuleType, left: float):
     """Test steps at a distance from the edge of each chart.
 

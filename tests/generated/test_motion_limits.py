@@ -15,7 +15,7 @@ import pytest
 
 import dualcay
 from dualcay import MotionError, _stepping, cayley2, exponential, lambert, propagate
-from tests.support import motions, sampling
+from tests.support import motions, sampling, thorough
 
 EDGED = {"orthographic": 1.0, "lambert": 1.0, "sine3": 1.0, "sine4": 1.0}
 """Largest |v| by chart."""
@@ -25,8 +25,7 @@ TIMES = np.linspace(0.0, 4.0, 6)
 FORMS = [(frame, method) for frame in ("space", "body") for method in ("lie", "chart")]
 
 
-@pytest.mark.parametrize(("frame", "method"), FORMS)
-@pytest.mark.parametrize("name", EDGED)
+@pytest.mark.parametrize(("name", "frame", "method"), thorough.in_turn(EDGED, ("space", "body"), ("lie", "chart")))
 def test_a_start_beyond_the_edge_or_that_overflows_is_named_at_once(name: str, frame: str, method: str) -> None:
     module, edge, begin = getattr(dualcay, name), EDGED[name], time.process_time()
     for real, dual in ((1.1, 0.0), (1 + 1e-12, 0.1), (1e78, 0.0), (1e200, 1.0)):
@@ -57,8 +56,7 @@ def test_a_motion_that_overflows_or_does_not_end_says_when(frame: str, method: s
 SIDED = ("cayley2", "cayley3", "cayley8", "exponential", "lambert", "breusing", "sine3", "wiener_milenkovic")
 
 
-@pytest.mark.parametrize(("frame", "method"), FORMS)
-@pytest.mark.parametrize("name", SIDED)
+@pytest.mark.parametrize(("name", "frame", "method"), thorough.in_turn(SIDED, ("space", "body"), ("lie", "chart")))
 def test_a_motion_from_half_a_turn_keeps_its_side_and_has_the_branches_of_shadow(
     name: str, frame: str, method: str
 ) -> None:

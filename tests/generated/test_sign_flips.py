@@ -1,4 +1,4 @@
-"""Control of the kernel tests: some law fails after a flipped sign in a program of order 3; one of three is tried."""
+"""Control of the kernel tests: some law fails after a flipped sign in a program of order 3; a share of them is tried."""
 
 from __future__ import annotations
 
@@ -18,16 +18,13 @@ import pytest
 
 from dualcay import _geometry, _numbers, _runtime, cayley3
 from tests.generated import test_kernel_signs as rules
-from tests.support import sampling
+from tests.support import sampling, thorough
 from tests.support.trial import FUNCTIONS, Trial
 
 ORDER = 3
 REGIMES = ("uniform", "shadow", "pure translation", "below pi", "coordinate axes")
 """Regimes with arguments on both sides of each selection, so that every operation matters."""
 
-
-SHARE = 3
-"""Share of the signs of a program that are flipped."""
 
 SELECTING = ("either", "zero", "one", "every", "whole", "xmade", "beside1", "beside2")
 """Names of numbers that only select a side, or NaN."""
@@ -165,9 +162,10 @@ def test_unchanged_kernels_pass() -> None:
 
 
 @pytest.mark.parametrize("name", sorted(name for name in PROGRAMS if users(name)))
-def test_oracle_detects_every_flipped_sign(name: str) -> None:
+@thorough.shares(3, 7)
+def test_oracle_detects_every_flipped_sign(name: str, share: int) -> None:
     unseen = []
-    for place in signs(PROGRAMS[name])[len(name) % SHARE :: SHARE]:
+    for place in signs(PROGRAMS[name])[len(name) % share :: share]:
         kernels = kernels_with(flipped(PROGRAMS[name], place))
         if not (seen_by_oracle(kernels, users(name)) or seen_at_full_turns(kernels) or seen_on_cones(kernels)):
             unseen.append(ast.unparse(list(ast.walk(PROGRAMS[name]))[place]))

@@ -17,7 +17,7 @@ import pytest
 
 import dualcay
 from derive import about
-from tests.support import families
+from tests.support import families, thorough
 from tests.support.subjects import Subject, subject
 
 DISTANCES = (1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12, 1e-14, 1e-15, 1e-16, 0.0)
@@ -149,8 +149,7 @@ def test_batches_in_single_precision_are_as_exact(name: str) -> None:
             assert wrong(chart, row, pose_of(screw, end), end, screw) <= 1, (k, end, row)
 
 
-@pytest.mark.parametrize("dtype", [np.float64, np.float32])
-@pytest.mark.parametrize("name", CHARTS)
+@pytest.mark.parametrize(("name", "dtype"), thorough.in_turn(CHARTS, (np.float64, np.float32)))
 def test_chains_of_steps_close(name: str, dtype: Any) -> None:
     """A thousand steps lead through whole turns; each adds the rounding of a vector, whose angle is up to 12 rad.
 

@@ -1,7 +1,8 @@
-"""Derivatives by JAX without its compiler, which takes seconds for each: NumPy runs what JAX traces."""
+"""Functions and derivatives by JAX without its compiler, which takes seconds for each: NumPy runs what JAX traces."""
 
 from __future__ import annotations
 
+import functools
 import operator
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any
@@ -39,8 +40,37 @@ OPERATIONS: Mapping[str, Callable[..., Any]] = {
     "convert_element_type": lambda a, new_dtype, **_: np.asarray(a, new_dtype),
     "broadcast_in_dim": _broadcast,
     "slice": _part,
+    "stack": lambda *given, axis: np.stack(given, axis),
+    "platform_index": lambda **_: 0,
+    "optimization_barrier": lambda *given: given,
 }  # fmt: skip
 """Operations of JAX in NumPy. JAX runs the others itself."""
+
+
+def run(function: Callable[..., Any], *given: Any, **options: Any) -> Any:
+    """Return the results of a function of arrays; arguments that are no arrays are constants of the trace."""
+    import jax
+
+    arrays = [a for a in given if isinstance(a, np.ndarray)]
+    shapes = tuple(jax.ShapeDtypeStruct(a.shape, a.dtype) if isinstance(a, np.ndarray) else a for a in given)
+    traced, tree = _traced(function, shapes, tuple(options.items()))
+    with np.errstate(all="ignore"):
+        return jax.tree.unflatten(tree, map(np.asarray, _run(traced, *arrays)))
+
+
+@functools.cache
+def _traced(function: Callable[..., Any], given: tuple[Any, ...], options: tuple[tuple[str, Any], ...]) -> Any:
+    """Return the trace of a function for shapes and constants, and the tree of its results."""
+    import jax
+
+    places = [place for place, one in enumerate(given) if isinstance(one, jax.ShapeDtypeStruct)]
+
+    def of_arrays(*arrays: Any) -> Any:
+        known = dict(zip(places, arrays, strict=True))
+        return function(*(known.get(place, one) for place, one in enumerate(given)), **dict(options))
+
+    traced, shapes = jax.make_jaxpr(of_arrays, return_shape=True)(*(given[place] for place in places))
+    return traced, jax.tree.structure(shapes)
 
 
 def derivative(function: Callable[..., Any], points: np.ndarray, along: np.ndarray) -> Iterator[list[Any]]:
@@ -72,9 +102,7 @@ def _results(equation: Any, given: list[Any]) -> Sequence[Any]:
         return _run(options["branches"][int(given[0])], *given[1:])
     for inner in _inner(options):
         return _run(inner, *given)
-    if name in OPERATIONS:
-        return [OPERATIONS[name](*given, **options)]
-    found = equation.primitive.bind(*given, **options)
+    found = OPERATIONS.get(name, equation.primitive.bind)(*given, **options)
     return found if equation.primitive.multiple_results else [found]
 
 
