@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib
 import math
 from types import ModuleType
 
@@ -13,28 +14,21 @@ from derive.codegen.signatures import POSES
 from dualcay import cayley3, exponential, orthographic
 from dualcay._interface import PoseKernels
 from dualcay._multiple import multiple
-from tests.support import families, sampling
-
-
-@pytest.fixture(params=FAMILIES)
-def name(request: pytest.FixtureRequest) -> str:
-    return str(request.param)
-
+from tests.support import families, sampling, thorough
 
 LEFT = (0.2, 0.1, 3e-2, 3e-3, 1e-4)  # distances from the edge, as shares of the edge angle
 EDGES = [(name, LEFT[i % 5]) for i, name in enumerate(FAMILIES) if name != "exponential"]
 
 
-@pytest.mark.parametrize(
-    ("name", "left"), [*EDGES[::2], *(pytest.param(*each, marks=pytest.mark.thorough) for each in EDGES[1::2])]
-)
-def test_steps_next_to_an_edge_stay_within_gates(name: str, kernels: ModuleType, left: float):
+@pytest.mark.parametrize("place", thorough.sampled(EDGES, EDGES[::2]), ids=str)
+def test_steps_next_to_an_edge_stay_within_gates(place: tuple[str, float]):
     """Test steps at a distance from the edge of each chart.
 
     Next to an edge with φ′ = 0, x hardly determines the angle, and T is nearly singular. Next to a pole, the rounded
     angle hardly determines v: steps from this angle have errors of 0.2 eps over the share.
     """
-    oracle = families.oracle_of(name)
+    name, left = place
+    oracle, kernels = families.oracle_of(name), importlib.import_module(f"dualcay.{name}")
     angle, steps = families.edge_of(name) * (1 - left), sampling.dual_vectors(f"{name} {left}", count=2)
     v, delta = families.vectors(oracle, angle, angle, 2), steps * np.array([left] * 3 + [1] * 3)
     for function in families.STEPS:

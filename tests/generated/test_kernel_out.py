@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import re
 from types import ModuleType
 
@@ -9,11 +10,12 @@ import numpy as np
 import pytest
 
 from dualcay import _kernel, _runtime
+from tests.support import thorough
 from tests.support.kernels import ALIKE, load, orders
-from tests.support.signatures import SIGNATURES, assert_nearly_equal, inputs, rows_of
+from tests.support.signatures import KINDS, SIGNATURES, assert_nearly_equal, inputs, rows_of
 
 order = orders(ALIKE)
-FUNCTION = pytest.mark.parametrize("name", SIGNATURES)
+FUNCTION = pytest.mark.parametrize("name", thorough.sampled(SIGNATURES, KINDS.values()))
 AXIS = pytest.mark.parametrize("axis", [-1, 0])
 
 
@@ -38,16 +40,17 @@ def test_out_is_filled_and_returned(kernel: ModuleType, order: int, name: str, a
 
 OVERLAPPING = [(name, count) for count in (1, 50) for name in SIGNATURES]
 LONG = [(name, 17_000) for name in ("pose", "from_pose", "compose", "transform_point", "interpolate", "rate_jacobian")]
+FEW = [*itertools.product(KINDS.values(), (1, 50)), *LONG[::2]]
 
 
-@pytest.mark.parametrize(("name", "count"), [*OVERLAPPING, *LONG])
+@pytest.mark.parametrize("case", thorough.sampled([*OVERLAPPING, *LONG], FEW), ids=str)
 @AXIS
-def test_out_may_overlap_an_argument(name: str, axis: int, count: int) -> None:
+def test_out_may_overlap_an_argument(case: tuple[str, int], axis: int) -> None:
     """Start ``out`` before, at or after the argument in memory; elements must be read before they are overwritten.
 
     Long batches run in blocks that do not depend on the function: a sample of sizes of arguments and results suffices.
     """
-    kernel = load(3)
+    kernel, (name, count) = load(3), case
     arguments = [np.resize(a, (count, *a.shape[1:])) for a in inputs(kernel, name, 3, (min(count, 50),))]
     if axis == 0:
         arguments = rows_of(name, arguments)

@@ -1,4 +1,4 @@
-"""Control of the kernel tests: some law fails after a flipped sign in a program of order 3; a share of them is tried."""
+"""Control of the kernel tests: some law fails after a flipped sign in a program of order 3."""
 
 from __future__ import annotations
 

@@ -24,3 +24,8 @@ def in_turn(*columns: Iterable[Any]) -> list[Any]:
         for place, one in enumerate(first)
         for turn, other in enumerate(pairs)
     ]
+
+
+def sampled(values: Iterable[Any], few: Collection[Any]) -> list[Any]:
+    """Return all values; by default few of them are tried."""
+    return [pytest.param(value, marks=[pytest.mark.thorough] * (value not in few)) for value in values]

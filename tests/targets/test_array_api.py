@@ -30,8 +30,8 @@ from tests.support.trial import FUNCTIONS, Trial
 
 ON_GPU = [pytest.param(library, marks=pytest.mark.gpu) for library in ("torch on a GPU", "cupy")]
 LIBRARIES = [
-    "numpy", "array-api-strict", "jax traced", *(pytest.param(one, marks=pytest.mark.thorough) for one in ("jax", "jax.jit")),
-    "dask", pytest.param("torch", marks=pytest.mark.torch), *ON_GPU
+    "numpy", "array-api-strict", "jax traced", "dask", pytest.param("jax", marks=pytest.mark.thorough),
+    pytest.param("jax.jit", marks=pytest.mark.thorough), pytest.param("torch", marks=pytest.mark.torch), *ON_GPU
 ]  # fmt: skip
 LIBRARY = pytest.mark.parametrize("library", LIBRARIES)
 STRICT = pytest.mark.parametrize("library", LIBRARIES[1:])
