@@ -11,7 +11,7 @@ import pytest
 from derive.codegen.lowering.scalar_programs import SCALARS
 from derive.codegen.signatures import SIDES
 from derive.output import pages
-from tests.support import sampling
+from tests.support import sampling, traced
 from tests.support.libraries import LIBRARIES, QUICKLY, jax
 
 EPS = 2.0**-52
@@ -221,7 +221,7 @@ def test_an_angle_has_its_gradient_and_hessian_where_squares_underflow(charts, d
     """Compare with α = 6|v|, of which third and higher powers of v are lost."""
     u = np.array([2, -2, 1]) / 3
     at, angle = (u * size).astype(dtype), charts("rotation.cayley3").angle
-    first, second = compiled(lambda v: (jax.grad(angle)(v), jax.jacfwd(jax.grad(angle))(v)), at)
+    first, second = traced.run(lambda v: (jax.grad(angle)(v), jax.jacfwd(jax.grad(angle))(v)), at)
     np.testing.assert_allclose(first, 6 * u, rtol=0, atol=100 * np.finfo(dtype).eps)
     across = 6 * (np.eye(3) - np.outer(u, u))
     np.testing.assert_allclose(second * dtype(size), across, rtol=0, atol=1000 * np.finfo(dtype).eps)
@@ -230,7 +230,7 @@ def test_an_angle_has_its_gradient_and_hessian_where_squares_underflow(charts, d
 @pytest.mark.parametrize("mode", [pytest.param("jacfwd", marks=pytest.mark.thorough), "jacrev"])
 def test_six_calls_share_the_text_of_one(charts, mode, monkeypatch):
     """Allow a tenth more text than one call has: it grows without rules, and more where calls share no text."""
-    function, at = charts("cayley2").compose, [value[0] for value in arguments()[:2]]
+    function, at = charts("rotation.cayley2").compose, [value[0, :3] for value in arguments()[:2]]
 
     def growth():
         one, six = (text(getattr(jax, mode)(chain(function, count)), *at) for count in (1, 6))
@@ -248,10 +248,10 @@ def test_compiled_functions_multiply_about_as_often_as_their_programs(charts, mo
 
     XLA divides by constants by products, and its own inverse tangent adds some to those of the program.
     """
-    module, given = charts("exponential"), arguments()[:2]
+    module, given = charts("cayley3"), arguments()[:2]
 
     def ratio():
-        lowered = jax.jit(lambda b, a: module.compose(module.compose(b, a), a)).lower(*given)
+        lowered = jax.jit(chain(module.compose, 2)).lower(*given)
         once, compiled = lowered.as_text(), lowered.compile().as_text()
         found = sum(compiled.count(f" {op}(") for op in ("multiply", "divide"))
         return found / sum(2 * once.count(f"stablehlo.{op}") for op in ("multiply", "divide"))  # both calls share text

@@ -114,7 +114,7 @@ def wrong(functions: Functions, table: str, name: str, place: int, share: int, d
     return [reason for reason in (call.judged() for call in calls(chart, place, share, dtype)) if reason]
 
 
-SAMPLE = [("numpy", "rotation", "lambert", 41), ("numpy", "", "exponential", 41), ("jax", "rotation", "cayley3", 123)]
+SAMPLE = [("numpy", "rotation", "lambert", 41), ("numpy", "", "exponential", 41), ("jax traced", "rotation", "cayley3", 123)]
 WHOLE = [("rotation", "lambert", np.float64), ("rotation", "lambert", np.float32), ("", "cayley3", np.float64),
          ("rotation", "exponential", np.float64)]  # fmt: skip
 SLOW = WHOLE[1:3]
@@ -153,7 +153,7 @@ def test_steps_beside_whole_turns_have_the_pose(functions_of: Any, target: str) 
 @pytest.mark.parametrize(
     "target",
     [
-        "numpy", "jax", pytest.param("numba", marks=pytest.mark.thorough),
+        "numpy", "jax traced", pytest.param("numba", marks=pytest.mark.thorough),
         pytest.param("c", marks=[pytest.mark.compiler, pytest.mark.thorough]),
     ],
 )
