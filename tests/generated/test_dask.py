@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import signal
 import subprocess
 import sys
 from collections.abc import Iterator
@@ -21,7 +20,6 @@ from dualcay import cayley3, exponential, rotation
 from dualcay._checks import LAWS, ROTATION_LAWS, Law
 from dualcay.dask import apply
 from tests.support import thorough
-from tests.support.staying import until
 
 RNG = np.random.default_rng(20)
 COUNT, CHUNKS, OTHERS = 120, (30, 60, 30), (60, 60)  # blocks above 20 poses: smaller ones run on Python floats
@@ -178,12 +176,6 @@ def client() -> Iterator[distributed.Client]:
         yield client
 
 
-def held(block: np.ndarray, last: float, gate: Path) -> np.ndarray:
-    """Return a block; the one that begins with a number waits for a file, in one worker, while the other goes on."""
-    until(lambda: block[0, 0] != last or gate.exists())
-    return block
-
-
 @pytest.mark.thorough
 def test_two_processes_give_the_same_bits(client: distributed.Client) -> None:
     v, w = RNG.uniform(-1, 1, (2, 20_000, 6))
@@ -193,18 +185,3 @@ def test_two_processes_give_the_same_bits(client: distributed.Client) -> None:
         np.testing.assert_array_equal(client.compute(apply(kernel, *lazy)).result(), kernel(v, w))
     found = client.compute(apply(cayley3.compose_jacobians, *lazy), sync=True)
     np.testing.assert_array_equal(found, cayley3.compose_jacobians(v, w))
-
-
-@pytest.mark.thorough
-def test_a_worker_killed_midway_changes_nothing(client: distributed.Client, tmp_path: Path) -> None:
-    v = RNG.uniform(-1, 1, (4000, 6))
-    given = da.from_array(v, chunks=(100, 6)).map_blocks(held, last=v[-100, 0], gate=tmp_path / "gate", meta=v[:0])
-    pose = client.persist(apply(exponential.pose, given))
-    blocks = distributed.futures_of(pose)
-    distributed.wait(blocks, return_when="FIRST_COMPLETED")
-    before = client.run(os.getpid)
-    os.kill(next(iter(before.values())), signal.SIGKILL)
-    assert not all(block.done() for block in blocks)
-    (tmp_path / "gate").touch()
-    np.testing.assert_array_equal(pose.compute(), exponential.pose(v))
-    assert set(client.run(os.getpid).values()) != set(before.values())

@@ -126,15 +126,6 @@ def test_scalar_last_quaternions(kernel: ModuleType, order: int, axis: int, shap
     np.testing.assert_array_equal(out, last)
 
 
-def test_identity_with_scalar_last_needs_the_keyword(kernel: ModuleType, order: int) -> None:
-    """Read the identity with the scalar first: it is a valid quaternion of half a turn, which no check refuses."""
-    identity = np.array([0.0, 0, 0, 1, 0, 0, 0, 0])
-    np.testing.assert_array_equal(kernel.from_quaternion(identity, scalar_first=False, check=True), np.zeros(6))
-    if order > 1:
-        angle, _ = kernel.to_screw(kernel.from_quaternion(identity, check=True))
-        np.testing.assert_allclose(angle[0], np.pi)
-
-
 def test_scalar_last_refuses_the_same_arguments(kernel: ModuleType) -> None:
     with pytest.raises(ValueError, match=r"q must have shape \(\.\.\., 8\), got \(7,\)"):
         kernel.from_quaternion(np.zeros(7), scalar_first=False)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import importlib
-import math
 from types import ModuleType
 
 import numpy as np
@@ -33,22 +32,6 @@ def test_steps_next_to_an_edge_stay_within_gates(place: tuple[str, float]):
     v, delta = families.vectors(oracle, angle, angle, 2), steps * np.array([left] * 3 + [1] * 3)
     for function in families.STEPS:
         families.require(kernels, oracle, function, [v, delta])
-
-
-def test_exponential_has_a_branch_for_every_turn():
-    """Expect the angle α + 2πk on branch k, to 8 eps of the larger angle, and only branch 0 at the identity."""
-    v = np.array([0.3, -0.6, 0.2, 1.0, 0.5, -2.0])
-    u = v[:3] / np.linalg.norm(v[:3])
-    for k in (-3, -1, 1, 2, 50):
-        there = exponential.shadow(v, k)
-        np.testing.assert_allclose(there[:3], v[:3] + 2 * math.pi * k * u, rtol=8 * np.finfo(float).eps)
-        close = {"rtol": 0, "atol": 8 * np.finfo(float).eps * (1 + 7 * abs(k)) ** 2}  # v° grows with the square of |v|
-        np.testing.assert_allclose(exponential.principal(there), v, **close)
-        np.testing.assert_allclose(exponential.pose(there), exponential.pose(v), **close)
-    assert np.isnan(exponential.shadow(np.zeros(6), 1)).all()
-    assert (exponential.shadow(np.zeros(6), 0) == 0).all()
-    with pytest.raises(TypeError, match="branch must be an integer"):
-        exponential.shadow(v, 0.5)
 
 
 @pytest.mark.parametrize("dtype", [np.float32, np.float64, np.longdouble])

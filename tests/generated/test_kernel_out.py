@@ -67,17 +67,6 @@ def test_out_may_overlap_an_argument(case: tuple[str, int], axis: int) -> None:
             assert_nearly_equal(out, expected)
 
 
-@pytest.mark.parametrize("name", [f for f, s in SIGNATURES.items() if s.arguments[0] in "vw" and s.result == (6,)])
-def test_arguments_are_updated_in_place(kernel: ModuleType, order: int, name: str) -> None:
-    arguments = inputs(kernel, name, order, (4,))
-    expected = getattr(kernel, name)(*arguments)
-    for i in (i for i, argument in enumerate(arguments) if argument.shape == expected.shape):
-        for step in (1, -1):
-            given = [a.copy() for a in arguments]
-            getattr(kernel, name)(*given, out=given[i][::step])
-            assert_nearly_equal(given[i][::step], expected)
-
-
 @FUNCTION
 @AXIS
 def test_out_of_a_wrong_shape_or_type_is_refused(kernel: ModuleType, order: int, name: str, axis: int) -> None:

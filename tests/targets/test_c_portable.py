@@ -72,20 +72,55 @@ def test_even_orders_need_no_library(headers, tmp_path):
     assert checked(text, headers, tmp_path, "-ffreestanding", "-DDUALCAY_FREESTANDING") == ""
 
 
+def library(headers: Path, tmp_path: Path, text: str, *flags: str) -> ctypes.CDLL:
+    """Compile a text that includes headers."""
+    source, made = tmp_path / "some.c", tmp_path / "some.so"
+    source.write_text(text, encoding="utf-8")
+    command = ["gcc", "-std=c99", *flags, "-shared", "-fPIC", f"-I{headers}", source, "-lm", "-o", made]
+    subprocess.run(command, check=True)
+    return ctypes.CDLL(str(made))
+
+
+def test_a_result_may_take_the_place_of_an_argument(headers, tmp_path):
+    """Compare to the bit; a single result may also overlap an argument in part."""
+    names, text = ("shadow", "principal", "compose", "twist", "transform_line"), [includes([Cayley(3)])]
+    for row in (POSES.public[name] for name in names):
+        few, branch = len(row.arguments), ["1"] * row.branch
+        one = ", ".join([*"ab"[:few], *branch, "to"])
+        rows = ", ".join(["n", *(f"{letter}, n" for letter in "ab"[:few]), *branch, "to, n"])
+        parameters, begin = "const double *a, const double *b, double *to", f"{prefix(Cayley(3), POSES)}_{row.name}"
+        text.append(f"void one_{row.name}({parameters}) {{ {begin}({one}); (void)b; }}")
+        text.append(f"void rows_{row.name}(size_t n, {parameters}) {{ {begin}_rows({rows}); (void)b; }}")
+    made, (v, w) = library(headers, tmp_path, "\n".join(text), "-O2"), np.random.default_rng(3).normal(size=(2, 6, 8))
+
+    def called(name, a, b, to, *count):
+        pointers = (ctypes.c_void_p(array.ctypes.data) for array in (a, b, to))
+        getattr(made, name)(*map(ctypes.c_size_t, count), *pointers)
+        return to
+
+    for name in names:
+        wanted = called(f"rows_{name}", v, w, np.empty_like(v), 8)
+        for a, b in ((v.copy(), w), (v, w.copy())):
+            np.testing.assert_array_equal(called(f"rows_{name}", a, b, a if a is not v else b, 8), wanted)
+        single = called(f"one_{name}", *(np.ascontiguousarray(array[:, 0]) for array in (v, w)), np.empty(6))
+        for shift in range(6):
+            memory = np.concatenate([v[:, 0], np.zeros(shift)])
+            called(f"one_{name}", memory, np.ascontiguousarray(w[:, 0]), memory[shift:])
+            np.testing.assert_array_equal(memory[shift:], single)
+
+
 @pytest.mark.parametrize("table", TABLES, ids=["poses", "rotations"])
 def test_a_switch_is_that_of_the_numpy_kernels(headers, table, tmp_path):
     """Compare vector, rate and covariance beyond half a turn, where all of them change."""
-    chart, n, source, library = Cayley(3), 6 if table is POSES else 3, tmp_path / "some.c", tmp_path / "some.so"
+    chart, n = Cayley(3), 6 if table is POSES else 3
     parameters = ", ".join(f"double *{letter}" for letter in "abcdef")
     call = f"void run({parameters}) {{ {prefix(chart, table)}_switch(a, b, c, d, e, f); }}\n"
-    source.write_text(f'#include "{inside(table, "cayley3.h")}"\n{call}', encoding="utf-8")
-    command = ["gcc", "-std=c99", "-O0", "-shared", "-fPIC", f"-I{headers}", source, "-lm", "-o", library]
-    subprocess.run(command, check=True)
+    made = library(headers, tmp_path, f'#include "{inside(table, "cayley3.h")}"\n{call}', "-O0")
     module = cayley3 if table is POSES else rotation.cayley3
     v = module.from_exponential(np.array([2.0, -3.0, 1.5, 0.4, 0.7, -0.3])[:n])
     root = np.arange(1.0, n * n + 1).reshape(n, n) % 7 - 3
     given = (v, np.linspace(-1, 2, n), root @ root.T)
     found = [np.empty_like(array) for array in given]
-    ctypes.CDLL(str(library)).run(*(np.ctypeslib.as_ctypes(array.reshape(-1)) for array in (*given, *found)))
+    made.run(*(np.ctypeslib.as_ctypes(array.reshape(-1)) for array in (*given, *found)))
     for one, other in zip(found, module.switch(*given), strict=True):
         np.testing.assert_allclose(one, other, rtol=0, atol=1e-13 * abs(other).max())
