@@ -11,11 +11,9 @@ import numpy as np
 import pytest
 
 import dualcay
-from dualcay import _numbers
 from tests.support import thorough
-from tests.support.first_principles import pack
 from tests.support.kernels import ALIKE, load, orders
-from tests.support.nilpotent import Nil, conjugate, exact_field, hamilton, power
+from tests.support.nilpotent import exact_field
 from tests.support.oracle import Oracle
 from tests.support.signatures import (
     KINDS,
@@ -131,28 +129,12 @@ def test_fractions_give_exact_fractions(kernel: ModuleType, order: int, name: st
     assert (out == exact).all()
 
 
-@pytest.mark.parametrize("order", [2, 4, 8])
-def test_quaternions_of_even_order_are_rational(order: int) -> None:
-    dual = Oracle(order, field=exact_field()).unpack(V)
-    spinor = (Nil(Fraction(1), Fraction(0)), *dual)
-    (norm2, *_) = hamilton(spinor, conjugate(spinor))
-    root = power((norm2, norm2 * 0, norm2 * 0, norm2 * 0), order // 2)[0]
-    exact = pack(tuple(c / root for c in power(spinor, order)))
-    result = load(order).quaternion(np.array(V, dtype=object))
-    assert result.dtype == object
-    assert (result == exact).all()
-
-
 def test_matrix6_keeps_every_type(kernel: ModuleType) -> None:
     for dtype in (np.float32, np.float64, np.longdouble, np.complex64, np.complex128):
         assert dualcay.matrix6(kernel.tangent(np.zeros(6, dtype))).dtype == dtype
     exact = dualcay.matrix6(kernel.tangent(np.array(V, dtype=object)))
     assert exact.dtype == object
     assert exact.shape == (6, 6)
-
-
-def test_reciprocals_of_objects_are_exact() -> None:
-    assert _numbers.Objects.reciprocals(Fraction(2), 3, 7) == (Fraction(1, 3), Fraction(1, 7))
 
 
 def test_multiples_of_a_chart_keep_fractions() -> None:

@@ -50,6 +50,24 @@ def test_half_turn_keeps_the_given_vector_part(order: int, axis: list[float], ze
             np.testing.assert_allclose(got, wanted, rtol=1e-13, atol=1e-13 * abs(wanted).max())
 
 
+@FINITE
+@AXIS
+def test_at_pi_matrices_give_the_axis_with_first_component_positive(order: int, axis: list[float]) -> None:
+    """Use 2 u uᵀ − I, which is symmetric to the last bit: its quaternion has a scalar part of exactly 0."""
+    kernel, u = load(order), np.array(axis)
+    leading = u[np.flatnonzero(u)[0]]
+    side = np.sign(leading) * u
+    turn = 2 * np.outer(u, u) - np.eye(3)
+    matrix = np.eye(4)
+    matrix[:3, :3] = turn
+    dual = np.stack([turn, np.zeros((3, 3))])
+    for branch in branches(order):
+        wanted = expected(order, side, 0.0, np.zeros(3), branch)
+        for function, given in ((kernel.from_pose, matrix), (kernel.from_tensor, dual)):
+            for got in (function(given, branch), function(given[None], branch)[0]):
+                np.testing.assert_allclose(got, wanted, rtol=1e-13, atol=1e-14)
+
+
 @pytest.mark.parametrize("shape", [(6,), (4, 6)])
 def test_the_identity_has_no_other_branches(kernel: ModuleType, order: int, shape: tuple[int, ...]) -> None:
     zero = np.zeros(shape)

@@ -14,7 +14,7 @@ from derive.codegen.signatures import PUBLIC
 from dualcay import _geometry, _numbers
 from tests.support import thorough
 from tests.support.kernels import ALIKE, LAWS, load
-from tests.support.signatures import KINDS, SHAPES, SIGNATURES, assert_nearly_equal, components_last, inputs, rows_of
+from tests.support.signatures import KINDS, SIGNATURES, assert_nearly_equal, components_last, inputs, rows_of
 
 SOME = pytest.mark.parametrize("order", ALIKE, indirect=True, ids=lambda n: f"n={n}")
 
@@ -124,11 +124,6 @@ def test_overflow_of_p_gives_nan_screws_and_shadows(order: int, size: float) -> 
     for results in (module.shadow(crowd, 1), *module.to_screw(crowd)):
         assert np.isnan(results).all()
     np.testing.assert_array_equal(module.shadow(v, 1), module.shadow(v.astype(np.float64), 1).astype(np.float32))
-
-
-def test_special_arguments_have_the_shapes_of_their_kinds() -> None:
-    for kind, values in SPECIAL.items():
-        assert all(value.shape == SHAPES[kind] for value in values)
 
 
 @pytest.mark.parametrize("size", [1e100, 1e155])

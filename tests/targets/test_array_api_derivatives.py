@@ -89,36 +89,6 @@ def test_derivatives_by_torch(every, one):
     assert not above_gate(every, one, by_torch)
 
 
-def forget_compiled(package):
-    """Forget compiled calls with their rules, those of the package and those that JAX keeps."""
-    LIBRARIES["jax"]()
-    import jax
-
-    importlib.import_module(f"{package}._jax").ruled.cache_clear()
-    jax.clear_caches()
-
-
-@pytest.mark.thorough
-@pytest.mark.parametrize("change", [lambda slope, x: 2 * slope, lambda slope, x: slope * (x / x)], ids=["2", "0/0"])
-def test_altered_slopes_have_errors(package, change, monkeypatch):
-    """Double the slopes of a quaternion, or divide by x without a guard at 0."""
-    rules = importlib.import_module(f"{package}._slopes").SLOPES
-    rule = rules["quaternion_scalars"]
-
-    def altered(m, c, found, given):
-        return [[change(slope, given[0]) for slope in row] for row in rule(m, c, found, given)]
-
-    monkeypatch.setitem(rules, "quaternion_scalars", altered)
-    forget_compiled(package)
-    try:
-        found = above_gate(package, ("cayley2", "quaternion", POSES, np.float64), by_traces)
-    finally:
-        forget_compiled(package)
-    assert {mode for _, mode in found} == {
-        "forward", "reverse", "forward, forward", "forward, reverse", "reverse, forward", "reverse, reverse",
-    }  # fmt: skip
-
-
 # --- beyond the regimes: functions of a batch, arguments off the group, motions beyond half a turn ------------------
 
 

@@ -10,7 +10,6 @@ from __future__ import annotations
 import importlib
 import itertools
 import random
-import shutil
 import subprocess
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -48,7 +47,7 @@ STANDARDS = ("c++11", "c++17", "c++2b")
 COMPILER = pytest.mark.parametrize(
     "compiler", [COMPILERS[0], *(pytest.param(name, marks=pytest.mark.thorough) for name in COMPILERS[1:])]
 )
-PRIMES = (2**61 - 1, *(sympy.nextprime(random.Random(k).randrange(2**61 - 2**56, 2**61 - 2**20)) for k in range(1)))
+PRIMES = (2**61 - 1, *(sympy.nextprime(random.Random(k).randrange(2**60, 2**61 - 2**20)) for k in range(2)))
 POINTS = 2
 JACOBIAN_ROUNDING = 2e-11
 """Tolerance for jets beside the largest entry of the Jacobian: the same at the edges, where conditions grow to 10⁴."""
@@ -84,24 +83,6 @@ def test_every_function_compiles_alone(chart, scalar, tmp_path, headers):
     assert compile_alone(headers, chart, tmp_path, COMPILERS[0], "c++11", scalar) == ""
 
 
-@pytest.mark.parametrize(
-    ("scalar", "old", "new"),
-    [
-        ("Mixed", "return dualcay_number(a) operation b;", "return a operation b.value;"),
-        ("Lazy", "return Result(Value(a.value operation b.value));", "return a.value operation b.value;"),
-        ("Jet<3, Jet<2> >", "typename Class::Scalar>", "typename Class::None>"),
-    ],
-)
-@pytest.mark.thorough
-def test_an_altered_number_is_refused(tmp_path, headers, scalar, old, new):
-    wrong = tmp_path / "headers"
-    shutil.copytree(headers, wrong)
-    text = (wrong / "dualcay.h").read_text(encoding="utf-8")
-    assert old in text
-    (wrong / "dualcay.h").write_text(text.replace(old, new), encoding="utf-8")
-    assert "error" in compile_alone(wrong, Cayley(2), tmp_path, COMPILERS[0], "c++11", scalar)
-
-
 # --- derivatives by jets ----------------------------------------------------------------------------------------
 
 
@@ -123,21 +104,6 @@ def test_derivatives_by_jets_are_the_jacobians_in_every_chart(tmp_path):
     files.write(tmp_path / "all", print_package(committed(), C, tested=False).texts)
     for chart, compiler, standard in zip(committed(), itertools.cycle(COMPILERS), itertools.cycle(STANDARDS)):
         assert by_jets(tmp_path / "all", chart, tmp_path, compiler, standard) == {}, chart.name
-
-
-@pytest.mark.thorough
-def test_jets_show_an_altered_jacobian_and_lost_digits(headers, tmp_path, monkeypatch):
-    wrong = tmp_path / "headers"
-    shutil.copytree(headers, wrong)
-    text = (wrong / "geometry.h").read_text(encoding="utf-8")
-    start = text.index("DUALCAY_NAME(rate_jacobian_core)(")
-    place = text.index(" + ", text.index("const dualcay_real b1 =", start))
-    (wrong / "geometry.h").write_text(text[:place] + " - " + text[place + 3 :], encoding="utf-8")
-    found = by_jets(wrong, Cayley(3), tmp_path, COMPILERS[0], "c++11")
-    assert {name.partition(" ")[0] for name in found} == {"rate", "body_rate"}
-    monkeypatch.setattr(jets, "LOSING", {})
-    found = by_jets(headers, OTHERS[0], tmp_path, COMPILERS[0], "c++11")
-    assert {name.partition(" ")[0] for name in found} == {"compose", *(back for _, back, _ in jets.ROUND_TRIPS)}
 
 
 # --- prime fields -----------------------------------------------------------------------------------------------
@@ -246,16 +212,3 @@ def test_rational_functions_are_their_formulas_in_prime_fields(compiler, headers
     most = max(degree(chart, table, row) for chart in CHARTS for table, row in rational(chart))
     bound = (most / min(PRIMES)) ** (POINTS * len(PRIMES))
     assert bound < 1e-60
-
-
-@pytest.mark.thorough
-def test_prime_field_shows_a_wrong_coefficient(headers, tmp_path):
-    wrong = tmp_path / "headers"
-    shutil.copytree(headers, wrong)
-    text = (wrong / "cayley3.h").read_text(encoding="utf-8")
-    changed = text.replace("1 - 3 * x", "1 - 4 * x")
-    assert changed != text
-    (wrong / "cayley3.h").write_text(changed, encoding="utf-8")
-    found = differing(built(COMPILERS[0], dispatcher(tmp_path), wrong, tmp_path / "fields"), queries(seed=61))
-    assert {"dualcay_cayley3_pose", "dualcay_rotation_cayley3_tensor"} <= found
-    assert all("_cayley3_" in name for name in found)

@@ -7,7 +7,6 @@ import re
 import shutil
 import subprocess
 import sys
-from fractions import Fraction
 from functools import partial
 from pathlib import Path
 from types import ModuleType
@@ -106,12 +105,6 @@ def test_complex_vectors(compiled):
     np.testing.assert_allclose(got, load(ORDER).quaternion(v), atol=1e-14)
     with pytest.raises(TypeError, match="v must be real"):
         compiled(ORDER).principal(v)
-
-
-def test_fractions_run_the_same_source(compiled):
-    v = np.array([Fraction(k, 7) for k in range(1, 7)], dtype=object)
-    assert (compiled(ORDER).pose(v) == load(ORDER).pose(v)).all()
-    assert (compiled(ORDER).pose(v[:, None], axis=0)[..., 0] == load(ORDER).pose(v)).all()
 
 
 def test_wrong_arguments_are_named(compiled):
