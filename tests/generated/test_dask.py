@@ -10,7 +10,6 @@ from pathlib import Path
 from typing import Any
 
 import dask.array as da
-import distributed
 import numpy as np
 import pytest
 
@@ -169,15 +168,17 @@ def test_missing_dask_is_an_error_that_says_how_to_install_it() -> None:
 
 
 @pytest.fixture(scope="module")
-def client() -> Iterator[distributed.Client]:
+def client() -> Iterator[Any]:
     """Provide two worker processes on the loopback, at any free port."""
+    import distributed  # late, since it takes a second in each process that collects tests
+
     options = {"n_workers": 2, "threads_per_worker": 1, "host": "127.0.0.1", "dashboard_address": "127.0.0.1:0"}
     with distributed.LocalCluster(**options) as cluster, distributed.Client(cluster) as client:
         yield client
 
 
 @pytest.mark.thorough
-def test_two_processes_give_the_same_bits(client: distributed.Client) -> None:
+def test_two_processes_give_the_same_bits(client: Any) -> None:
     v, w = RNG.uniform(-1, 1, (2, 20_000, 6))
     lazy = [da.from_array(array, chunks=(chunks, 6)) for array, chunks in ((v, 3000), (w, 4500))]
     assert len(set(client.run(os.getpid).values()) - {os.getpid()}) == 2

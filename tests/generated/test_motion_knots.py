@@ -48,6 +48,8 @@ def test_sampled_twists_are_integrated_as_exactly_as_asked(frame: str) -> None:
         for method in ("lie", "chart"):
             found = propagate(cayley2, np.zeros(6), samples, t, frame=frame, method=method, rtol=RTOL)
             np.testing.assert_allclose(found.pose[-1], wanted, rtol=0, atol=RTOL * count)
+            slope = (found(3.2 + 1e-4, 1) - found(3.2 - 1e-4, 1)) / 2e-4
+            np.testing.assert_allclose(found(3.2, 2), slope, rtol=0, atol=1e-6)
 
 
 @pytest.mark.parametrize(("frame", "method"), FORMS)

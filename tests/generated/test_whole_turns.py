@@ -137,6 +137,18 @@ def test_convert_loses_nothing_between_charts_infinite_at_a_whole_turn(turns: in
             assert error < GATE * np.finfo(dtype).eps * 4, (source.module, target.module, e, count)
 
 
+@pytest.mark.parametrize("name", CHARTS)
+def test_batches_in_single_precision_are_as_exact(name: str) -> None:
+    """Rows of a batch run in float32; its steps have the axis of v to rounding alone."""
+    chart = subject(name)
+    for k, screw in itertools.product(turns_of(chart), SCREWS):
+        ends = 2 * np.pi * k - np.array([*DISTANCES[:5], *np.negative(DISTANCES[:5])] * 3)
+        start = np.array([turned(chart, screw, end - LEFT, np.float32) for end in ends])
+        step = np.tile((screw * LEFT).astype(np.float32), (len(ends), 1))
+        for row, end in zip(chart.module.retract(start, step), ends, strict=True):
+            assert wrong(chart, row, pose_of(screw, end), end, screw) <= 1, (k, end, row)
+
+
 @pytest.mark.parametrize(("name", "dtype"), thorough.in_turn(CHARTS, (np.float64, np.float32)))
 def test_chains_of_steps_close(name: str, dtype: Any) -> None:
     """A thousand steps lead through whole turns; each adds the rounding of a vector, whose angle is up to 12 rad.
