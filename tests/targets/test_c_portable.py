@@ -82,7 +82,7 @@ def library(headers: Path, tmp_path: Path, text: str, *flags: str) -> ctypes.CDL
 
 
 def test_a_result_may_take_the_place_of_an_argument(headers, tmp_path):
-    """Compare to the bit; a single result may also overlap an argument in part."""
+    """Compare to the bit; a single result may also overlap an argument in part. Branches count modulo their number."""
     names, text = ("shadow", "principal", "compose", "twist", "transform_line"), [includes([Cayley(3)])]
     for row in (POSES.public[name] for name in names):
         few, branch = len(row.arguments), ["1"] * row.branch
@@ -91,6 +91,7 @@ def test_a_result_may_take_the_place_of_an_argument(headers, tmp_path):
         parameters, begin = "const double *a, const double *b, double *to", f"{prefix(Cayley(3), POSES)}_{row.name}"
         text.append(f"void one_{row.name}({parameters}) {{ {begin}({one}); (void)b; }}")
         text.append(f"void rows_{row.name}(size_t n, {parameters}) {{ {begin}_rows({rows}); (void)b; }}")
+    text.append("int branch_of(int k, int n) { return dualcay_branch(k, n); }")
     made, (v, w) = library(headers, tmp_path, "\n".join(text), "-O2"), np.random.default_rng(3).normal(size=(2, 6, 8))
 
     def called(name, a, b, to, *count):
@@ -98,6 +99,7 @@ def test_a_result_may_take_the_place_of_an_argument(headers, tmp_path):
         getattr(made, name)(*map(ctypes.c_size_t, count), *pointers)
         return to
 
+    assert [made.branch_of(k, 3) for k in range(-4, 5)] == [k % 3 for k in range(-4, 5)]
     for name in names:
         wanted = called(f"rows_{name}", v, w, np.empty_like(v), 8)
         for a, b in ((v.copy(), w), (v, w.copy())):
