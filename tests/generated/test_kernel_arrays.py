@@ -91,15 +91,6 @@ def test_blocks_cover_a_batch_once() -> None:
         assert (seen == 1).all(), (batch, size)
 
 
-def test_nested_call_has_its_own_scratch() -> None:
-    scratch = _kernel.Scratch()
-    outer, inner = scratch.take(1000), scratch.take(1000)
-    assert not np.may_share_memory(outer, inner)
-    assert outer.ctypes.data % _kernel.CACHE_LINE == inner.ctypes.data % _kernel.CACHE_LINE == 0
-    scratch.give_back(inner)
-    assert np.may_share_memory(scratch.take(500), inner)
-
-
 BROADCAST = [
     ((5, 1), (4,), (5, 4)), ((), (3,), (3,)), ((3,), (), (3,)), ((2, 1, 3), (1, 4, 1), (2, 4, 3)), ((1,), (0,), (0,)),
 ]  # fmt: skip

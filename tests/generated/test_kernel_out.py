@@ -9,7 +9,7 @@ from types import ModuleType
 import numpy as np
 import pytest
 
-from dualcay import _kernel, _runtime
+from dualcay import _kernel
 from tests.support import thorough
 from tests.support.kernels import ALIKE, load, orders
 from tests.support.signatures import KINDS, SIGNATURES, assert_nearly_equal, inputs, rows_of
@@ -106,20 +106,3 @@ def test_rows_of_scratch_begin_on_a_cache_line() -> None:
             padded = _kernel._padded(cells, dtype)
             assert padded >= cells
             assert padded * dtype.itemsize % LINE == 0
-
-
-@pytest.mark.parametrize("shape", [(6,), (2, 3)])
-def test_single_poses_are_read_with_components_first_or_last(shape: tuple[int, ...]) -> None:
-    last = np.arange(30.0).reshape(5, *shape)
-    first = np.moveaxis(last, 0, -1)
-    for array, axis in ((last, -1), (first, 0)):
-        assert _runtime._poses(array, shape, (5,), axis, array.dtype) == last.reshape(5, 6).tolist()
-
-
-def test_dense_or_broadcast_rows_are_read_without_copying() -> None:
-    is_read, dtype = _kernel._unit_stride, np.dtype(np.float64)
-    dense, one = np.ones((6, 10)), np.broadcast_to(np.ones((6, 1)), (6, 10))
-    spread, same = np.ones((6, 20))[:, ::2], np.broadcast_to(np.ones(20)[::2], (6, 10))
-    for rows, wanted in ((dense, True), (one, True), (spread, False), (same, False), (dense.astype(np.float32), False)):
-        assert is_read(rows, dtype, broadcast=True) is wanted
-    assert [is_read(rows, dtype) for rows in (dense, one)] == [True, False]

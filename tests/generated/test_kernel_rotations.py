@@ -43,28 +43,20 @@ def test_rotations_are_the_real_parts_of_pose_functions(chart: str) -> None:
         assert np.all(abs(found - wanted) <= ROUNDINGS * EPS * abs(wanted).max(initial=1)), name
 
 
-@pytest.mark.parametrize("chart", ["cayley1", "cayley2", "cayley8", "exponential", "lambert", "breusing", "scaled2"])
+@pytest.mark.parametrize("chart", ["cayley1", "exponential"])
 @pytest.mark.parametrize("shape", [(), (3,), (2, 30)])
-def test_laws_of_the_group_in_every_shape_and_layout(chart: str, shape: tuple[int, ...]) -> None:
+def test_angles_have_every_shape_and_layout(chart: str, shape: tuple[int, ...]) -> None:
     m, _ = pair(chart)
-    v, w = (m.random(shape, max_angle=2, rng=seed) for seed in (5, 6))
-    near = {"rtol": 0, "atol": 1e-12 * max(1, abs(v).max(), abs(w).max())}
-    np.testing.assert_allclose(m.tensor(m.compose(w, v)), m.tensor(w) @ m.tensor(v), rtol=0, atol=1e-12)
-    np.testing.assert_allclose(m.compose(v, m.between(w, v)), w, **near)
-    np.testing.assert_allclose(m.retract(v, m.local(w, v)), w, **near)
-    np.testing.assert_allclose(m.body_retract(v, m.body_local(w, v)), w, **near)
-    np.testing.assert_allclose(m.compose(m.inverse(v), v), np.zeros((*shape, 3)), **near)
-    np.testing.assert_allclose(m.from_tensor(m.tensor(v)), v, **near)
+    v = m.random(shape, max_angle=2, rng=5)
+    first, place, near = np.moveaxis(v, -1, 0), np.empty(shape), {"rtol": 0, "atol": 1e-12 * max(1, abs(v).max())}
     angle, axis = m.to_angle_axis(v)
     assert angle.shape == shape
     np.testing.assert_allclose(m.from_angle_axis(angle, axis), v, **near)
     np.testing.assert_allclose(m.angle(v), angle, rtol=0, atol=1e-12)
-    first = np.moveaxis(v, -1, 0)
     np.testing.assert_array_equal(m.angle(first, axis=0), m.angle(v))
-    np.testing.assert_allclose(m.quaternion(first, axis=0, scalar_first=False)[3], m.quaternion(v)[..., 0], rtol=1e-15)
-    place = np.empty(shape)
     assert m.angle(v, out=place) is place
     np.testing.assert_allclose(m.from_angle_axis(*m.to_angle_axis(first, axis=0), axis=0), first, **near)
+    np.testing.assert_allclose(m.quaternion(first, axis=0, scalar_first=False)[3], m.quaternion(v)[..., 0], rtol=1e-15)
 
 
 # --- where nothing turns, and the edge ------------------------------------------------------------------------------
