@@ -106,3 +106,12 @@ def test_rows_of_scratch_begin_on_a_cache_line() -> None:
             padded = _kernel._padded(cells, dtype)
             assert padded >= cells
             assert padded * dtype.itemsize % LINE == 0
+
+
+def test_dense_or_broadcast_rows_are_read_without_copying() -> None:
+    is_read, dtype = _kernel._unit_stride, np.dtype(np.float64)
+    dense, one = np.ones((6, 10)), np.broadcast_to(np.ones((6, 1)), (6, 10))
+    spread, same = np.ones((6, 20))[:, ::2], np.broadcast_to(np.ones(20)[::2], (6, 10))
+    for rows, wanted in ((dense, True), (one, True), (spread, False), (same, False), (dense.astype(np.float32), False)):
+        assert is_read(rows, dtype, broadcast=True) is wanted
+    assert [is_read(rows, dtype) for rows in (dense, one)] == [True, False]
