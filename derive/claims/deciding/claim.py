@@ -51,11 +51,18 @@ class Place:
     pair: bool = False
     zero: Term | None = None  # number that certainly vanishes somewhere in the balls of the coordinates
     known: Mapping[Term, Term] = field(default_factory=dict)  # parts with a value that is certain there
+    turns: dict[Symbol, tuple[Numbers, Numbers]] = field(default_factory=dict)  # coordinates, and those over π
 
     @property
     def exact(self) -> bool:
-        """Whether all numbers are rational."""
-        return all(isinstance(c, int | Fraction) for c in self._numbers)
+        """Whether all numbers are rational, or rational multiples of π."""
+        rows = chain((row for a, row in self.at.items() if self.over_pi(a) is None), self.parts.values())
+        return all(isinstance(c, int | Fraction) for row in rows for c in (row if isinstance(row, Iterable) else (row,)))
+
+    def over_pi(self, letter: Symbol) -> Numbers | None:
+        """Return the coordinates of a letter over π, if they are known to be rational."""
+        coordinates, over = self.turns.get(letter, (None, ()))
+        return over if coordinates is self.at[letter] else None
 
     @property
     def sharp(self) -> bool:
@@ -181,7 +188,9 @@ class Claim:
 
     def value(self, letter: Symbol, place: Place, field: Field | None = None) -> Any:
         """Return the value of a letter: each coordinate with its rates, its dual part and the rates of this."""
-        row, coordinates = kind(letter), place.at[letter]
+        row, coordinates, over = kind(letter), place.at[letter], place.over_pi(letter)
+        if field is not None and over is not None:
+            coordinates = [field.pi * c for c in over]
         if row.spread == "integer" and not self.dual and not self.depth:
             return int(coordinates[0])
         number = (lambda c: c) if field else (lambda c: Ball(arb(c)))

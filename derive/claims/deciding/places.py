@@ -186,16 +186,18 @@ class Probe:
         for a in self.claim.coordinates:
             rows: list[tuple[str, Numbers, dict[Symbol, Numbers]]]
             rows = [(label, c, {}) for label, c in special(kind(a)).items()]
+            over = kind(a).special(Fraction(1))
             if kind(a).dual:
                 still: dict[Symbol, Numbers] = {a: [Fraction(0)] * len(self.claim.further(a, Place("", {})))}
                 rows += [(f"{label}, real", c, still) for label, c, _ in rows[:1]]
                 rows.append(("real", self._drawn(a, 0.3, 2.0), still))
-            found += [(a, label, Place("", {a: c}, parts=parts)) for label, c, parts in rows]
+            turns = {label: {a: (c, over[label])} if "pi" in label else {} for label, c, _ in rows}
+            found += [(a, label, Place("", {a: c}, parts=parts, turns=turns[label])) for label, c, parts in rows]
         return found
 
     def _special(self) -> Iterator[Place]:
         for letter, label, one in self._specials:
-            yield Place(f"{letter.name}: {label}", {**self.drawn(), **one.at}, parts=one.parts)
+            yield replace(one, label=f"{letter.name}: {label}", at={**self.drawn(), **one.at})
         origin = {a: special(kind(a))["0"] for a in self.claim.coordinates if "0" in special(kind(a))}
         if len(origin) > 1:
             yield Place(f"{', '.join(a.name for a in origin)} = 0", {**self.drawn(), **origin}, pair=True)
@@ -212,7 +214,7 @@ class Probe:
         pairs = [(one, two) for one, two in combinations(self._specials, 2) if one[0] != two[0]]
         for (a, label, one), (b, other, two) in self.random.sample(pairs, min(PAIRS_MAX, len(pairs))):
             at, parts = {**self.drawn(), **one.at, **two.at}, {**one.parts, **two.parts}
-            yield Place(f"{a.name}: {label}, {b.name}: {other}", at, parts=parts, pair=True)
+            yield Place(f"{a.name}: {label}, {b.name}: {other}", at, False, "", parts, True, turns=one.turns | two.turns)
 
     def _related(self) -> Iterator[Place]:
         """Yield points where two letters of like kinds are equal, opposite or parallel."""
