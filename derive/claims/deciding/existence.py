@@ -48,6 +48,7 @@ class Signs:
     named: list[Term] = of_class(default_factory=list)  # terms that are not 0
     free: bool = False  # whether a frame may be turned so that no direction is the one that polar forms leave out
     numbers: frozenset[str] = frozenset()  # letters that are numbers, whose polar form leaves nothing out
+    outward: tuple[str, ...] = ()  # coordinates that are infinite for the direction that a letter's form leaves out
 
     @property
     def field(self) -> Any:
@@ -88,7 +89,9 @@ class Signs:
             elif name in STRICT:
                 gap = self.field.element(not_negative(self.env, part))
                 self.field.assumed += [gap, *self._squared(gap)]
-                self.nonzero.extend(self.ring.factors(gap) if STRICT[name] else [])
+                if STRICT[name]:
+                    self.apart.append(gap)
+                    self.nonzero.extend(self.ring.factors(gap))
             elif name in ("both", "and"):
                 for one in arguments:
                     self.assume(one)
@@ -112,17 +115,12 @@ class Signs:
         """Return whether a number is proved to be 0 nowhere."""
         if a in self.apart or -a in self.apart:
             return True
-        return bool(a) and self._is_apart_at_half_turns(a) and (all(map(self._is_apart, self.ring.factors(a))) or (
+        return bool(a) and self._is_apart_at_infinity(a) and (all(map(self._is_apart, self.ring.factors(a))) or (
             not self.free and any(self.field.is_positive(b - MARGIN) for b in (a, -a))))
 
-    def _is_apart_at_half_turns(self, a: Element) -> bool:
-        """Return whether a number is not 0 where the tangent of an angle is infinite, which generators leave out."""
-        for (what, monomial), name in self.field.meanings.items():
-            low, high = interval(self.field, monomial)
-            end, most = self.field.steps * sympy.pi, max(abs(low), abs(high))
-            reached = most > end or (most == end and any(other in self.ring.closed for other, _ in monomial))
-            if what != "tangent" or not reached or name not in self._hidden(a):
-                continue
+    def _is_apart_at_infinity(self, a: Element) -> bool:
+        """Return whether a number is not 0 where a generator is infinite, as at half turns."""
+        for name in self._hidden(a).intersection(self._infinite()):
             i = self.ring.index(name)
             if any(self._vanishes_at_half_turn(b, i) for b in self.apart):
                 continue  # the domain or a condition excludes it
@@ -164,6 +162,16 @@ class Signs:
             degree, leading = self._growth(a, i)
             return bool(degree.sign() > 0 or (not degree and all(map(self.is_nonzero, leading))))
         return False
+
+    def _infinite(self) -> Iterator[str]:
+        """Yield the generators that are infinite at values of letters: tangents, and coordinates of directions."""
+        yield from () if self.free else self.outward
+        for (what, monomial), name in self.field.meanings.items():
+            low, high = interval(self.field, monomial)
+            end, most = self.field.steps * sympy.pi, max(abs(low), abs(high))
+            reached = most > end or (most == end and any(other in self.ring.closed for other, _ in monomial))
+            if what == "tangent" and reached:
+                yield name
 
     def _leading(self, polynomial: Any, i: int) -> Element:
         """Return the coefficient of the highest power of a generator in a polynomial."""
@@ -280,7 +288,9 @@ def signs_in(claim: Claim, env: Env, condition: Sequence[Term] = ()) -> Signs:
     domain = [nonzero(a) for a in claim.coordinates if kind(a).invertible]
     domain += [] if claim.entry.claimed is None else [claim.entry.claimed]
     free = is_frame_free(claim) and not any(kind(a).projective and kind(a).size == 4 for a in claim.coordinates)
-    signs = Signs(env, free=free, numbers=frozenset(a.name for a in claim.coordinates if kind(a).size == 1))
+    outward = (f"{a.name}.{stem}" for a in claim.coordinates for stem in ("s", *(["1"] if kind(a).projective else [])))
+    signs = Signs(env, free=free, numbers=frozenset(a.name for a in claim.coordinates if kind(a).size == 1),
+                  outward=tuple(outward))  # fmt: skip
     for part in (*domain, *condition):
         signs.assume(part)
     return signs

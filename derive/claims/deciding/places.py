@@ -214,7 +214,8 @@ class Probe:
         pairs = [(one, two) for one, two in combinations(self._specials, 2) if one[0] != two[0]]
         for (a, label, one), (b, other, two) in self.random.sample(pairs, min(PAIRS_MAX, len(pairs))):
             at, parts = {**self.drawn(), **one.at, **two.at}, {**one.parts, **two.parts}
-            yield Place(f"{a.name}: {label}, {b.name}: {other}", at, False, "", parts, True, turns=one.turns | two.turns)
+            name = f"{a.name}: {label}, {b.name}: {other}"
+            yield Place(name, at, parts=parts, pair=True, turns=one.turns | two.turns)
 
     def _related(self) -> Iterator[Place]:
         """Yield points where two letters of like kinds are equal, opposite or parallel."""
