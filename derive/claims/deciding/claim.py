@@ -57,7 +57,7 @@ class Place:
     def exact(self) -> bool:
         """Whether all numbers are rational, or rational multiples of π."""
         rows = chain((row for a, row in self.at.items() if self.over_pi(a) is None), self.parts.values())
-        return all(isinstance(c, int | Fraction) for row in rows for c in (row if isinstance(row, Iterable) else (row,)))
+        return all(isinstance(c, int | Fraction) for c in _numbers(rows))
 
     def over_pi(self, letter: Symbol) -> Numbers | None:
         """Return the coordinates of a letter over π, if they are known to be rational."""
@@ -67,12 +67,14 @@ class Place:
     @property
     def sharp(self) -> bool:
         """Whether all numbers have no error."""
-        return all(arb(c).is_exact() or isinstance(c, Fraction) for c in self._numbers)
+        rows = chain(self.at.values(), self.parts.values())
+        return all(arb(c).is_exact() or isinstance(c, Fraction) for c in _numbers(rows))
 
-    @property
-    def _numbers(self) -> Iterator[Any]:
-        rows = chain(((c if isinstance(c, Iterable) else (c,)) for c in self.at.values()), self.parts.values())
-        return chain.from_iterable(rows)
+
+def _numbers(rows: Iterable[Any]) -> Iterator[Any]:
+    """Yield the numbers of rows of coordinates, and those that stand alone."""
+    for row in rows:
+        yield from row if isinstance(row, Iterable) else (row,)
 
 
 @dataclass(frozen=True)

@@ -43,7 +43,7 @@ COMPONENTWISE = frozenset(("vector", "matrix", "block", "entry", "kron", "vec", 
 """First words of operators that depend on the frame."""
 ANGLES = frozenset(("real", "real angle", "dual number", "angle"))
 """Kinds of numbers that may be any number."""
-INTEGERS = frozenset(("integer", "order", "branch", "index"))
+INTEGERS = frozenset(("integer", "order", "branch"))
 ABSENT = (ArithmeticError, TypeError, AttributeError, KeyError, ValueError, IndexError)
 """Errors of a number that a field does not have."""
 Make = Callable[..., Generators]
@@ -104,7 +104,7 @@ def jumps(statement: Term) -> bool:
     if statement.operator.name == "or":
         return any(jumps(part) or part.operator.name not in ("or", "equal") for part in statement.arguments)
     if statement.operator.name == "floor of number":
-        return not {letter.quantity.name for letter in symbols(statement)} <= INTEGERS
+        return not {letter.quantity.name for letter in symbols(statement)} <= {"index", *INTEGERS}
     return statement.operator.name.rstrip("0123456789") in CUT or any(map(jumps, statement.arguments))
 
 
@@ -145,7 +145,7 @@ def setting(
     letters = Polar(claim.coordinates, claim.depth, *given)
     env = Env(letters.field, letters.values | dict(fixed), claim.entry.definitions, dual, claim.depth)
     for letter, turns in _turned(claim.statement).items():
-        if letter in env.values and letter.name not in given[0]:
+        if letter in env.values and letter.name not in {name.partition("/")[0] for name in given[0]}:
             env.values[letter] = env.values[letter] - env.value(turns)
     if claim.constraints:
         letters.field.restrict_to([letters.field.element(gap) for gap in gaps(env, claim.constraints)])

@@ -40,6 +40,7 @@ class Env:
     definitions: Mapping[Symbol, Definition] = dataclasses.field(default_factory=dict)
     dual: bool = True
     moving: int = 0
+    powers: dict[int, tuple[Any, int, Any]] = dataclasses.field(default_factory=dict, repr=False)  # last of each base
     known: dict[Term, Any] = dataclasses.field(default_factory=dict, init=False, repr=False)  # values of parts
 
     def value(self, statement: Term) -> Any:

@@ -49,6 +49,7 @@ class Generators(Integers):
         super().__init__(signs)
         self.names, self.given, self.steps = tuple(names), dict(ranges), steps
         self.closed, self.limits, self.endless = closed, set[str](), set[str]()
+        self.ratios: dict[Monomial, tuple[Bound, Bound]] = {}  # intervals of quotients
         self.pools = {**self.pools, "power": POWERS_MAX if integers else 0}
         self.integers = {*integers, *self.pool("turn")}
         self.meanings: dict[tuple[str, Monomial], str] = {}  # generators of tangents and exponentials
@@ -98,7 +99,7 @@ class Generators(Integers):
     def meaning(self) -> dict[str, tuple[str, Any]]:
         """Meaning of each generator, such as a root, with its number, its monomial, or the point (y, x) of an angle."""
         found = {name: (what, self.product(monomial)) for (what, monomial), name in self.meanings.items()}
-        rows = (("root", self.extensions), ("logarithm", self.logarithms), ("angle", self.angles))
+        rows = (("root", self.extensions), ("logarithm", self.logarithms), ("angle", [*self.angles, *self.lines]))
         found |= {name: ("power", (factor, twice)) for factor, name, twice in self.powers.values()}
         return {str(name): (what, known) for what, pairs in rows for known, name in pairs} | found
 
@@ -289,14 +290,13 @@ class Generators(Integers):
 
     def _known_angle(self, y: Any, x: Any) -> Any:
         """Return the angle of a point as k/steps of a monomial, plus turns if its range does not tell; else None."""
-        found = next(self.multiples(lambda c, s: self._along(y, x, s, c)), None)
-        if found is None:
-            return None
-        monomial, part = found
-        closed = any(name in self.closed for name, _ in monomial)
-        turns = turns_to_principal(part, *interval(self, monomial), closed)
-        return self.product(monomial) * part + 2 * self.pi * (
-            self.symbol(self.next_of("turn")) if turns is None else turns)
+        for sign, half in ((1, 0), (-1, 1)):
+            for monomial, part in self.multiples(lambda c, s: self._along(y * sign, x * sign, s, c)):  # noqa: B023
+                closed = any(name in self.closed for name, _ in monomial)
+                turns = turns_to_principal(part, *interval(self, monomial), closed, half)
+                whole = self.symbol(self.next_of("turn")) if turns is None else turns
+                return self.product(monomial) * part + self.pi * (2 * whole + half)
+        return None
 
     def multiples(self, test: Callable[[Any, Any], bool]) -> Iterator[tuple[Monomial, Fraction]]:
         """Yield the multiples of the monomials of known tangents whose cosine and sine pass a test."""

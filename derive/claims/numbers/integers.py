@@ -45,6 +45,7 @@ class Integers(Field):
         self.signs = list(signs)
         self.roots: list[Any] = []  # roots of unknown sign, up to this sign; None for the sign of an integer
         self.parities: dict[tuple[str, Monomial], int] = {}
+        self.lines: list[tuple[tuple[Any, Any], Any]] = []  # points, each with the angle of its line
         self.powers: dict[tuple[str, Monomial], tuple[Any, str, Any]] = {}  # factors, names, and twice the exponents
 
     def next_sign(self, root: Any = None) -> int:
@@ -162,10 +163,12 @@ class Integers(Field):
             return Dual(self._line(a, b), (b * dual_part(y) - a * dual_part(x)) / (a * a + b * b))
         if not self.element(x):
             return self.pi / 2
-        found = next(self.multiples(lambda c, s: y * c == x * s), None)
-        if found is None:
-            raise NotExactError("a power of a quaternion with an unknown angle")
-        return self.product(found[0]) * found[1]
+        known = next((angle for (b, a), angle in self.lines if y * a == x * b), None)
+        if known is None:
+            found = next(self.multiples(lambda c, s: y * c == x * s), None)
+            known = self.symbol(self.next_of("angle")) if found is None else self.product(found[0]) * found[1]
+            self.lines.append(((y, x), known))
+        return known
 
     def pair(self, n: Any, x: Any) -> Any:
         """Return ``p_n`` and ``q_n`` at x, from ``(1 + iX)ⁿ = p_n + i X q_n``."""
