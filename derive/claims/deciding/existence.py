@@ -184,7 +184,7 @@ class Signs:
 
     def _is_apart(self, factor: Any) -> bool:
         """Return whether a factor is 0 nowhere; that of several letters also in limits of polar forms."""
-        if factor in (self.ring.library.one, *self.nonzero) or self._is_power_apart(factor):
+        if factor in (self.ring.library.one, *self.nonzero) or self._is_function_apart(factor):
             return True
         if any(self._is_above(factor, known * known) for known in self.nonzero):
             return True
@@ -217,10 +217,16 @@ class Signs:
 
         return {*of(a, frozenset())} - {"pi"}
 
-    def _is_power_apart(self, factor: Any) -> bool:
-        """Return whether a factor is a root, or a power with an integer letter, of a number that is 0 nowhere."""
-        rows = (*self.field.extensions, *self.field.powers.values())
+    def _is_function_apart(self, factor: Any) -> bool:
+        """Return whether a factor is 0 nowhere, since a number is not of which it is a root, a power or a tangent."""
+        rows = (*self.field.extensions, *self.field.powers.values(), *self._tangents())
         return any(self.is_nonzero(base) for base, name, *_ in rows if factor == self.field.symbol(name).numerator)
+
+    def _tangents(self) -> Iterator[tuple[Element, str]]:
+        """Yield the angles, with their tangents, for which 0 is the only angle with tangent 0."""
+        for (what, monomial), name in self.field.meanings.items():
+            if what == "tangent" and max(map(abs, interval(self.field, monomial))) < 2 * self.field.steps * sympy.pi:
+                yield self.field.product(monomial), name
 
     def is_positive(self, a: Element, strict: bool = False, depth: int = DEPTH) -> bool:
         """Return whether a number is proved not to be negative, or to be positive if `strict`.

@@ -20,6 +20,7 @@ from ...algebra.element import NotExactError
 from ...algebra.first_principles import tensor_by_sandwich
 from ...algebra.matrix import shaped
 from ..language.matrices import entry, stacked
+from ..language.operator_table import Re, norm
 from ..language.printed import Number, Symbol, Term, symbols
 from ..numbers.generators import Generators
 from ..numbers.kinds import KINDS, ORDER, jet, sphere
@@ -212,7 +213,7 @@ def _bound(part: Term) -> Iterator[tuple[str, Bound, Bound]]:
     below = name in ("less", "at most")
     a, b = part.arguments
     for inner, outer, is_upper in ((a, b, below), (b, a, not below)):
-        over, rest = _order(outer)
+        (over, rest), inner = _order(outer), _whole(inner)
         end, is_length = _constant(rest), inner.operator.name == "norm"
         subject = _of_length(inner.arguments[0]) if is_length else inner
         if end is not None and isinstance(subject, Symbol):
@@ -229,10 +230,16 @@ def _order(term: Term) -> tuple[str, Term]:
     return "", term
 
 
+def _whole(side: Term) -> Term:
+    """Return a side without the operator for the real part, about which an order relation is."""
+    name, arguments = side.operator.name, side.arguments
+    if name == "norm":
+        return norm(_whole(arguments[0]))
+    return _whole(arguments[0]) if side.operator is Re else side
+
+
 def _of_length(subject: Term) -> Term:
-    """Return the letter of which a term is the real part, or the twist of which it is the first part, else the term."""
-    if subject.operator.name == "Re":
-        return subject.arguments[0]
+    """Return the twist of which a term is the first part, else the term."""
     found = symbols(subject)
     for letter in found:
         if len(found) == 1 and subject == stacked(*(entry(letter, Number(i)) for i in (1, 2, 3))):
