@@ -6,6 +6,7 @@ import pytest
 
 from derive.claims.decide import decide
 from derive.claims.deciding.claim import Claim
+from derive.claims.deciding.ordering import ordered
 from derive.claims.deciding.proof import proved
 from derive.claims.deciding.split import split
 from derive.claims.sheet import claim_alone
@@ -59,3 +60,12 @@ def test_values_exist_for_every_order_or_are_asked_for(text: str) -> None:
     (entry,) = claim_alone(text, N | X).entries()
     found = decide("", entry)
     assert str(found.status) == "unrefuted" or found.found
+
+
+@pytest.mark.parametrize(("text", "is_true"), [
+    ("n*(n - 1) >= 0", True), ("x**(2*n) >= 0", True), ("jacobian(x**n, x) == n*x**(n - 1) and n > 0", True),
+    ("x**n >= 0", False), ("n >= 2", False), ("n < 10**12", False), ("(x - 1)**(2*n) > 0", False),
+    ("x**n*(x - n)**n == (x*(x - n))**(n + 1) and n > 0", False),
+])  # fmt: skip
+def test_order_relations_of_every_order(text: str, is_true: bool) -> None:
+    assert ordered(claim_of(text, N | X, "")) is is_true
