@@ -12,10 +12,11 @@ import pytest
 
 import derive
 from derive.algebra.arithmetic import Arithmetic
+from derive.claims.deciding.polar import Polar
 from derive.claims.language import values
 from derive.claims.language.environment import Env
 from derive.claims.language.printed import Symbol
-from derive.claims.numbers.generic import Generic
+from derive.claims.numbers.generators import Generators
 from derive.claims.numbers.kinds import ORDER
 from derive.motion_equations import KINDS, MotionEquation, motion_equation
 from tests.support import motions
@@ -54,7 +55,7 @@ def equals_printed(number: str, order: int | None, equation: MotionEquation) -> 
     twist = next(symbol for symbol in entry.definitions if symbol.name in TWIST[KINDS[number][0]])
     # tan(α/4) needs sine and cosine of eighths of an angle
     free = [symbol for symbol in entry.free(printed) if symbol.quantity is not ORDER]
-    at = Generic([*free, ANY], dual=True, moving=False, steps=8)
+    at = Polar([*free, ANY], 0, {}, partial(Generators, steps=8), dual=True, free=True)
     orders = {symbol: order for symbol in entry.free(printed) if symbol.quantity is ORDER}
     env = Env(at.field, {**at.values, **orders, twist: at.values[ANY]}, entry.definitions)
     found = equation.rate(env.value(state), at.values[ANY], ExactArithmetic(at.field))

@@ -27,7 +27,7 @@ from .existence import undecided_parts
 from .identity import MODULO, difference, jumps
 from .ordering import ordered
 from .places import Probe
-from .proof import proved
+from .proof import proved, proved_at_orders
 from .regions import REGION_MIN, Region, branched, region
 from .singular import ORDERED
 from .split import split
@@ -168,7 +168,7 @@ def _proof_of_part(claim: Claim) -> str | None:
         return None  # true at generic values, it may be false at special ones
     if not ORDERED.isdisjoint(operators(claim.statement)):
         return "exact" if ordered(claim) else None
-    return proved(claim)
+    return proved(claim) or proved_at_orders(claim)
 
 
 def _is_for_some_orders(how: str) -> bool:

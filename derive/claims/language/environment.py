@@ -24,6 +24,7 @@ class Env:
     values: dict[Symbol, Any]
     dual: bool = True
     moving: int = 0
+    powers: dict[int, tuple[Any, int, Any]] = dataclasses.field(default_factory=dict, repr=False)  # last of each base
     known: dict[Term, Any] = dataclasses.field(default_factory=dict, init=False, repr=False)  # values of parts
 
     def value(self, statement: Term) -> Any:
