@@ -16,18 +16,19 @@ from typing import Any
 
 import sympy
 
-from ...algebra import Dual, Quaternion, Structure, Tensor
+from ...algebra import Quaternion, Structure, Tensor
 from ...algebra.element import Element, NotExactError
 from ...algebra.matrix import Matrix
 from ..language.environment import Env
-from ..language.operator_table import nonzero
+from ..language.operator_table import Du, nonzero
 from ..language.printed import Number, Term
 from ..numbers.fields import innermost
 from ..numbers.generators import Generators
+from ..numbers.generic import Ideal
 from ..numbers.intervals import interval
 from .claim import Claim, kind
-from .identity import ABSENT, STRICT, difference, not_negative, setting, with_free_product
-from .partial import OPEN, is_invertible, is_named, partial_operations
+from .identity import ABSENT, STRICT, conjuncts, difference, not_negative, setting, with_free_product
+from .partial import OPEN, is_invertible, is_named, partial_operations, real
 from .proof import COMPONENTWISE
 from .singular import size
 from .terms import RELATIONS, is_dual, operators, takes_parts
@@ -66,9 +67,10 @@ class Signs:
         return found
 
     def _is_matrix(self, part: Term) -> bool:
+        """Return whether a term may be a matrix, which may have no inverse where it is not 0."""
         with suppress(*ABSENT):
-            return isinstance(self.env.value(part), Tensor | Matrix)
-        return False
+            return isinstance(self.env.value(real(part)), Tensor | Matrix)
+        return True
 
     def assume(self, part: Term) -> None:
         """Note what a relation of a stated domain, or of a condition, says of numbers; its own divisors are not 0."""
@@ -79,30 +81,37 @@ class Signs:
                     self.named.append(one)
                     self.nonzero.extend(self.ring.factors(self.number(one)))
             if name in ("unlike", "nonzero"):
-                if self._is_matrix(difference(part)):
-                    return  # a matrix that is not 0 may have no inverse
-                self.named.extend([difference(part), *(a for a in arguments[:1] if len(arguments) == 1)])
-                self.apart.append(self._not_0(difference(part)))
-                self.nonzero.extend(self.ring.factors(self.apart[-1]))
+                gap = difference(part)
+                self.named.extend([] if is_dual(gap) or self._is_matrix(gap) else [real(gap)])
+                self._keep_from_0(self._not_0(gap))
+            elif name == "negated" and (pairs := _equal_pairs(arguments[0])):
+                self._keep_from_0(sum((self._not_0(a - b) ** 2 for a, b in pairs), self.field.element(0)))
             elif name == "equal" and part.arguments[1] != Number(0) and isinstance(part.arguments[1], Number):
                 self.apart.append(self.number(part.arguments[0]))
             elif name in STRICT:
-                gap = self.field.element(not_negative(self.env, part))
-                self.field.assumed += [gap, *self._squared(gap)]
+                number = self.field.element(not_negative(self.env, part))
+                self.field.assumed += [number, *self._squared(number)]
                 if STRICT[name]:
-                    self.apart.append(gap)
-                    self.nonzero.extend(self.ring.factors(gap))
+                    self._keep_from_0(number)
             elif name in ("both", "and"):
                 for one in arguments:
                     self.assume(one)
         except ABSENT:
             return
 
+    def _keep_from_0(self, a: Element) -> None:
+        self.apart.append(a)
+        self.nonzero.extend(self.ring.factors(a))
+
     def _not_0(self, part: Term) -> Element:
-        """Return a number that is not 0 where a term is not 0, the dual part of a term without real part."""
-        value = self.env.now(self.env.value(part))
-        only = isinstance(value, Dual) and not self.field.element(innermost(value.re))
-        return self.number(part, lambda a: innermost(a.du)) if only else self.number(part)
+        """Return a number that is not 0 where a term is not 0: of a dual one its dual part, if the real part is 0."""
+        if self._is_matrix(part):
+            raise NotExactError("a determinant may be 0")
+        if not is_dual(part):
+            return self.number(part)
+        if not self.env.dual or not self.field.same(self.number(part), 0):
+            raise NotExactError("the real part of a dual number that is not 0 may be 0")
+        return self.number(Du(part))
 
     def _squared(self, gap: Element) -> Iterator[Element]:
         """Yield ``a a - b b r r`` for a number ``a - b r`` that is not negative, with a root r and positive a and b."""
@@ -116,18 +125,34 @@ class Signs:
         if a in self.apart or -a in self.apart:
             return True
         return bool(a) and self._is_apart_at_infinity(a) and (all(map(self._is_apart, self.ring.factors(a))) or (
-            not self.free and any(self.field.is_positive(b - MARGIN) for b in (a, -a))))
+            not self.free and any(self.field.is_positive(b - MARGIN) for b in (a, -a))) or self._is_excluded(a))
+
+    def _is_excluded(self, a: Element) -> bool:
+        """Return whether with a number one would be 0 that is not, by the equations of the domain."""
+        return bool(self._gaps) and any(map(Ideal([*self._gaps, a]).contains, self.apart))
+
+    @property
+    def _gaps(self) -> Sequence[Element]:
+        """Numbers that the equations of the domain make 0."""
+        found: Sequence[Element] = () if self.field.ideal is None else self.field.ideal.elements
+        return found
 
     def _is_apart_at_infinity(self, a: Element) -> bool:
-        """Return whether a number is not 0 where a generator is infinite, as at half turns."""
-        for name in self.field.used(a).intersection(self._infinite()):
-            i = self.ring.index(name)
-            if any(self._degree(b, i) < 0 for b in self.apart):
-                continue  # the domain or a condition excludes it
-            degree = self._degree(a, i)
-            if degree < 0 or (degree == 0 and not self.is_nonzero(self._leading(a.numerator, i))):
+        """Return whether a number is not 0 where a generator is infinite, as at half turns, if the domain reaches it."""
+        for i in map(self.ring.index, self.field.used(a).intersection(self._infinite())):
+            outside = any(self._degree(b, i) < 0 for b in self.apart) or any(
+                self._degree(b, i) >= 0 and not self.field.used(self._leading(b.numerator, i)) for b in self._gaps)
+            if not outside and not self._is_apart_far(a, i):
                 return False
         return True
+
+    def _is_apart_far(self, a: Element, i: int) -> bool:
+        """Return whether a number is not 0 where a generator is infinite; it may be if a root is infinite too."""
+        used, name = self.field.used(a), self.ring.names[i]
+        if any(root in used and name in self.field.used(square) for square, root in self.field.extensions):
+            return False
+        degree = self._degree(a, i)
+        return degree > 0 or (degree == 0 and self.is_nonzero(self._leading(a.numerator, i)))
 
     def _infinite(self) -> Iterator[str]:
         """Yield the generators that are infinite at values of letters: tangents, and coordinates of directions."""
@@ -158,6 +183,9 @@ class Signs:
         """Return whether a factor is 0 nowhere; that of several letters also in limits of polar forms."""
         if factor in (self.ring.library.one, *self.nonzero) or self._is_root_apart(factor):
             return True
+        if any(factor == self.field.product(monomial).numerator and self.field.symbol(name).numerator in self.nonzero
+               for (what, monomial), name in self.field.meanings.items() if what == "tangent"):  # fmt: skip
+            return True  # the angle is not 0, for its tangent is not
         if any(self._is_above(factor, known * known) for known in self.nonzero):
             return True
         if not self.ring.definite(factor, strict=True):
@@ -237,6 +265,12 @@ class Signs:
             if any(self.is_positive(a - ratio * known, strict, 0) for ratio in ratios if ratio > 0):
                 return True
         return False
+
+
+def _equal_pairs(statement: Term) -> list[tuple[Term, ...]]:
+    """Return the sides of equations of pairs that a statement joins, none if it says anything else."""
+    found = [part.arguments if part.operator.name == "equal" else () for part in conjuncts(statement)]
+    return found if all(len(pair) == 2 for pair in found) else []
 
 
 def is_frame_free(claim: Claim) -> bool:

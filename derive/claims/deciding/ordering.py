@@ -42,6 +42,9 @@ def _is_true(claim: Claim, statement: Term) -> bool:
     """Return whether a statement is proved, each of its order relations in any way."""
     if Trait.JOINS in statement.operator.traits or statement.operator is both:
         return all(_is_true(claim, part) for part in statement.arguments)
+    known = [difference(part) for part in _domain(claim) if part.operator.name in ("unlike", "nonzero")]
+    if statement.operator.name == "unlike" and difference(statement) in known:
+        return True
     if statement.operator.name not in (*STRICT, "unlike"):
         return proved(claim.with_statement(statement)) is not None
     return any(map(_is_proved, map(claim.with_statement, dict.fromkeys((statement, _by_parts(statement))))))
@@ -117,7 +120,7 @@ def _is_whole(claim: Claim, way: Way) -> bool:
     kinds = [kind(a) for a in claim.coordinates if kind(a).size > 1]
     if way is Way.FRAMED:
         return len(kinds) < 3 and all(row.size == 3 for row in kinds)
-    return not kinds or (way is Way.COMPONENTS and not any(row.projective for row in kinds))
+    return not kinds or (way is Way.COMPONENTS and not any(row.projective and row.size > 3 for row in kinds))
 
 
 # ---- along one number -----------------------------------------------------------------------------------------------
