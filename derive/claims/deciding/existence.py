@@ -27,11 +27,11 @@ from ..numbers.generators import Generators
 from ..numbers.generic import Ideal
 from ..numbers.intervals import interval
 from .claim import Claim, kind
+from .frames import with_frames_at_rest
 from .identity import ABSENT, STRICT, conjuncts, difference, not_negative, setting, with_free_product
 from .partial import OPEN, is_invertible, is_named, partial_operations, real
-from .proof import COMPONENTWISE
 from .singular import size
-from .terms import RELATIONS, is_dual, operators, takes_parts
+from .terms import RELATIONS, is_dual, is_frame_free, takes_parts
 
 MARGIN = Fraction(1, 1000)
 """Distance from 0 of a number that is proved not to be 0 at generic values, so it is 0 nowhere."""
@@ -138,7 +138,7 @@ class Signs:
         return found
 
     def _is_apart_at_infinity(self, a: Element) -> bool:
-        """Return whether a number is not 0 where a generator is infinite, as at half turns, if the domain reaches it."""
+        """Return whether a number is not 0 where a generator is infinite, as at half turns, in the domain."""
         for i in map(self.ring.index, self.field.used(a).intersection(self._infinite())):
             outside = any(self._degree(b, i) < 0 for b in self.apart) or any(
                 self._degree(b, i) >= 0 and not self.field.used(self._leading(b.numerator, i)) for b in self._gaps)
@@ -236,6 +236,23 @@ class Signs:
             or self._is_above_assumed(a, strict)
         )  # fmt: skip
 
+    def is_above(self, part: Term, strict: bool = False) -> bool:
+        """Return whether a term is a number that is proved not to be negative, or to be positive, also by its form.
+
+        The numbers of a large sum may be too large to be evaluated, such as the square of a magnitude in it.
+        """
+        name, arguments = part.operator.name, part.arguments
+        if name == "plus":
+            return all(map(self.is_above, arguments)) and (not strict or any(self.is_above(a, True) for a in arguments))
+        is_power = name == "power" and isinstance(arguments[1], Number) and arguments[1].value > 0
+        if (is_power or name == "bracket") and self.is_above(arguments[0], strict):
+            return True
+        if not strict and (name == "norm" or (name == "dot" and arguments[0] == arguments[1])):
+            return True
+        with suppress(*ABSENT):
+            return self.is_positive(self.number(part, innermost), strict)
+        return False
+
     def _lone(self, a: Element, name: str) -> Element:
         """Return the factor of a generator in a number, if it occurs to the first power only."""
         found: Element = self.ring.fraction(a.numerator.derivative(self.ring.index(name)), a.denominator)
@@ -273,11 +290,6 @@ def _equal_pairs(statement: Term) -> list[tuple[Term, ...]]:
     return found if all(len(pair) == 2 for pair in found) else []
 
 
-def is_frame_free(claim: Claim) -> bool:
-    """Return whether all vectors may be turned together, as no component is taken."""
-    return COMPONENTWISE.isdisjoint(name.split()[0] for name in operators(*claim.parts) if name)
-
-
 def signs_of(claim: Claim, condition: Sequence[Term], parts: Sequence[Term]) -> list[Signs]:
     """Return the signs for each choice of orders and of signs of the roots in parts, with what the domain says."""
     found: list[Signs] = []
@@ -298,7 +310,7 @@ def signs_in(claim: Claim, env: Env, condition: Sequence[Term] = ()) -> Signs:
     """Return the signs in an environment over generators, with what domain and condition say."""
     domain = [nonzero(a) for a in claim.coordinates if kind(a).invertible]
     domain += [] if claim.entry.claimed is None else [claim.entry.claimed]
-    free = is_frame_free(claim) and not any(kind(a).projective and kind(a).size == 4 for a in claim.coordinates)
+    free = is_frame_free(*claim.parts) and not any(kind(a).projective and kind(a).size == 4 for a in claim.coordinates)
     outward = (f"{a.name}.{stem}" for a in claim.coordinates for stem in ("s", *(["1"] if kind(a).projective else [])))
     signs = Signs(env, free=free, numbers=frozenset(a.name for a in claim.coordinates if kind(a).size == 1),
                   outward=tuple(outward))  # fmt: skip
@@ -310,6 +322,7 @@ def signs_in(claim: Claim, env: Env, condition: Sequence[Term] = ()) -> Signs:
 def undecided_parts(claim: Claim, condition: Sequence[Term] = ()) -> list[Term]:
     """Return the partial operations of a claim that are not proved to have a value."""
     claim, condition = with_free_product(claim, *condition)
+    claim, condition = with_frames_at_rest(claim, *condition)
     given = [part.arguments[0] for part in condition if part.operator.name == "equal"]  # those have a value
     asking = list(partial_operations(claim.statement, partial(_has_slope, claim), given))
     parts = list(dict.fromkeys(part for part, _ in asking))
@@ -329,7 +342,7 @@ def _has_slope(claim: Claim, part: Term) -> bool:
 def _has_value(signs: Signs, part: Term, asked: str) -> bool:
     if asked == OPEN:
         return False
-    if asked == "not 0" and (is_invertible(part) or is_named(part, signs.named)):
+    if asked == "not 0" and (is_invertible(part) or is_named(part, signs.named) or signs.is_above(part, True)):
         return True
     try:
         value = signs.env.value(part)

@@ -25,6 +25,7 @@ from ..numbers.kinds import KINDS, ORDER
 from ..numbers.residues import Residues, UnluckyError
 from .claim import Claim, kind
 from .constrained import gaps
+from .frames import with_frames_at_rest
 from .polar import Polar, Way, bounds, closed_letters
 from .terms import operators, takes_parts
 
@@ -73,6 +74,7 @@ def _for_all_signs(claim: Claim, make: Make) -> bool:
     Raise NotExactError if the field cannot tell.
     """
     claim, _ = with_free_product(with_solved_equations(claim))
+    claim, _ = with_frames_at_rest(claim)
     for fixed in claim.choices:
         waiting: list[tuple[int, ...]] = [()]
         while waiting:

@@ -20,11 +20,11 @@ from ..numbers.derivation import Along
 from ..numbers.generators import Generators
 from ..numbers.signed import Bound
 from .claim import Claim, kind
-from .existence import MARGIN, Signs, is_frame_free, signs_in, undecided_parts
+from .existence import MARGIN, Signs, signs_in, undecided_parts
 from .identity import ABSENT, STRICT, conjuncts, difference, not_negative, orders_of, setting, whole_steps
 from .polar import ALL, POSITIVE, Way, bounds
 from .proof import proved
-from .terms import operators
+from .terms import is_frame_free, operators
 
 DERIVATIVES_MAX = 8
 """Largest number of derivatives that are 0 where an order relation begins."""
@@ -79,7 +79,7 @@ def _parts_of_length(side: Term) -> Term:
 
 def _ways(claim: Claim) -> Iterator[Way]:
     """Yield the forms of letters in which a claim may be proved."""
-    if not claim.depth and is_frame_free(claim):
+    if not claim.depth and is_frame_free(*claim.parts):
         yield Way.FRAMED
     yield Way.POLAR
     if any(kind(a).size > 1 for a in claim.coordinates):

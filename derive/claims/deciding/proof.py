@@ -13,12 +13,10 @@ from ..numbers.kinds import BRANCH, ORDER, Role
 from ..numbers.residues import SURE_BITS
 from .claim import Claim
 from .identity import ABSENT, MODULO, orders_of, proved_exactly, proved_modulo, steps_of
-from .terms import operators
+from .terms import is_frame_free
 
 EVERY = "exact, all n"
 """Words for a proof for every order."""
-COMPONENTWISE = frozenset(("vector", "matrix", "block", "entry", "kron", "vec", "zeros"))
-"""First words of operators that depend on the frame."""
 
 
 def proved(claim: Claim) -> str | None:
@@ -43,7 +41,7 @@ def _for_all_orders(claim: Claim) -> bool:
     roles = [letter.quantity.role for letter in claim.coordinates]
     if (Role.VECTOR in roles) + roles.count(Role.ANGLE) > 1:
         raise NotExactError("a vector and an angle, which a symbolic order relates")
-    framed = COMPONENTWISE.isdisjoint(name.split()[0] for name in operators(*claim.parts) if name)
+    framed = is_frame_free(*claim.parts)
     dual = claim.dual and takes_apart(claim.statement)
     generic = Generic(claim.coordinates, dual, claim.depth, steps_of(claim.statement), framed, orders[0])
     for fixed in {tuple((a, k) for a, k in every.items() if a not in orders) for every in claim.choices}:

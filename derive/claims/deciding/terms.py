@@ -9,6 +9,8 @@ from ..language.printed import Apply, Number, Symbol, Term, Trait, symbols, walk
 from ..numbers.kinds import KINDS
 
 RELATIONS = frozenset(("less", "at most", "greater", "at least", "unlike", "equal", "nonzero"))
+COMPONENTWISE = frozenset(("vector", "matrix", "block", "entry", "kron", "vec", "zeros"))
+"""First words of operators that depend on the frame."""
 
 
 def at_zero(statement: Term, zero: Term | None, dual: bool) -> Term:
@@ -44,6 +46,11 @@ def is_dual(side: Term) -> bool:
     if not isinstance(side, Symbol):
         return side.operator not in (Re, Du) and any(map(is_dual, side.arguments))
     return side == epsilon or (side.quantity.name in KINDS and KINDS[side.quantity.name].dual)
+
+
+def is_frame_free(*statements: Term) -> bool:
+    """Return whether all vectors may be turned together, as no component is taken."""
+    return COMPONENTWISE.isdisjoint(name.split()[0] for name in operators(*statements) if name)
 
 
 def operators(*statements: Term) -> set[str]:
