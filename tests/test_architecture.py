@@ -28,7 +28,7 @@ ORDER = {
         "report",
     ),
     "derive.claims.deciding": (
-        "terms", "claim", "constrained", "singular", "zeros", "polar", "identity", "proof", "equal_sides", "uphill",
+        "terms", "claim", "solved", "constrained", "singular", "zeros", "polar", "identity", "proof", "equal_sides", "uphill",
         "places", "conditions", "partial", "existence", "ordering", "regions", "changes", "counterexample", "split",
         "finding",
     ),

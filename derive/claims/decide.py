@@ -14,7 +14,7 @@ from .deciding.claim import ORDERS, Claim
 from .deciding.conditions import is_sharp
 from .deciding.counterexample import outside_words, shown_at
 from .deciding.finding import Finding, decided
-from .deciding.identity import with_vectors_for_lengths
+from .deciding.solved import with_vectors_for_lengths
 from .equation import Entry, Reading, UndecidedError, require_complete
 from .language.operator_table import both, implies
 from .language.printed import Term

@@ -7,13 +7,14 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from functools import cached_property, reduce
-from itertools import chain
+from itertools import chain, product
 from typing import Any
 
 from ...algebra import Dual
 from ...algebra.element import NotExactError
 from ..equation import Entry
 from ..language.environment import Env
+from ..language.matrices import either
 from ..language.operator_table import both, equal, infinity, negated
 from ..language.printed import Symbol, Term, Trait, rate_depth, symbols, walk, with_trait
 from ..numbers.balls import PRECISIONS, Ball, Balls, BlurredError, arb, precision
@@ -107,10 +108,25 @@ class Claim:
         )  # fmt: skip
 
     @cached_property
+    def general(self) -> tuple[dict[Symbol, int], ...]:
+        """Values of signs alone if orders and branches are free in a proof, else also of these."""
+        if self.entry.orders is not None:
+            return self.choices
+        signs = [{a: s for a, s in fixed.items() if a.quantity is SIGN} for fixed in self.choices]
+        return tuple(row for i, row in enumerate(signs) if row not in signs[:i])
+
+    @cached_property
     def constraints(self) -> tuple[Term, ...]:
         """Equations in the stated domain, which points must be moved to satisfy."""
         stated = self.entry.claimed
         return tuple(_equations(stated)) if stated is not None else ()
+
+    @cached_property
+    def aims(self) -> tuple[Claim, ...]:
+        """Claims on the alternatives of the stated domain, to whose equations points must be moved."""
+        stated = self.entry.claimed
+        alternatives = [] if stated is None else map(self.on, _alternatives(stated))
+        return tuple(claim for claim in alternatives if claim.constraints)
 
     @cached_property
     def apart(self) -> bool:
@@ -226,7 +242,7 @@ class Claim:
         domain = self.entry.claimed
         if domain is None:
             return True
-        certain = place.exact or not self.constraints
+        certain = place.exact or not self.aims
         return bool(self.truth(place, negated(negated(domain)) if certain else domain))
 
     def with_statement(self, statement: Term) -> Claim:
@@ -241,8 +257,11 @@ class Claim:
     def within(self, *terms: Term) -> Claim:
         """Return the claim on the part of its stated domain where some terms are true, without a condition."""
         stated = (*([] if self.entry.claimed is None else [self.entry.claimed]), *terms)
-        claimed = reduce(both, stated) if stated else None
-        return replace(self, entry=replace(self.entry, claimed=claimed, condition=None))
+        return self.on(reduce(both, stated) if stated else None)
+
+    def on(self, domain: Term | None) -> Claim:
+        """Return the claim on another domain, without a condition."""
+        return replace(self, entry=replace(self.entry, claimed=domain, condition=None))
 
 
 def kind(letter: Symbol) -> Kind:
@@ -254,6 +273,16 @@ def _equations(domain: Term) -> Iterator[Term]:
         for part in domain.arguments:
             yield from _equations(part)
     elif domain.operator is equal:
+        yield domain
+
+
+def _alternatives(domain: Term) -> Iterator[Term]:
+    """Yield the domains that a domain joins by "or"."""
+    if domain.operator is either:
+        yield from chain.from_iterable(map(_alternatives, domain.arguments))
+    elif domain.operator is both:
+        yield from (reduce(both, parts) for parts in product(*map(_alternatives, domain.arguments)))
+    else:
         yield domain
 
 

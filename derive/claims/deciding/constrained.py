@@ -52,6 +52,11 @@ def onto(claim: Claim, place: Place) -> Place | None:
         return found if found.exact or _is_regular(left, x) else None
 
 
+def is_on(claim: Claim, place: Place) -> bool:
+    """Return whether the equations of the stated domain hold at a point, and for its dual parts and rates."""
+    return all(arb(c).contains(0) for c in gaps(claim.env(place), claim.constraints))
+
+
 def _is_regular(left: Any, x: list[Any]) -> bool:
     """Return whether each difference has a slope at a point, so that small differences show a zero beside it."""
     rows = _slopes(left, x, left([Ball(c) for c in x]))

@@ -20,17 +20,18 @@ from ...algebra import Quaternion, Structure, Tensor
 from ...algebra.element import Element, NotExactError
 from ...algebra.matrix import Matrix
 from ..language.environment import Env
-from ..language.operator_table import Du, nonzero
+from ..language.operator_table import Du, epsilon, nonzero
 from ..language.printed import Number, Term
 from ..numbers.fields import innermost
 from ..numbers.generators import Generators
-from ..numbers.generic import Ideal
+from ..numbers.ideal import Ideal
 from ..numbers.intervals import interval
 from .claim import Claim, kind
 from .frames import with_frames_at_rest
-from .identity import ABSENT, STRICT, conjuncts, difference, not_negative, setting, with_free_product
+from .identity import ABSENT, STRICT, difference, not_negative, setting, with_free_product
 from .partial import OPEN, is_invertible, is_named, partial_operations, real
 from .singular import size
+from .solved import conjuncts, with_solved_equations
 from .terms import RELATIONS, is_dual, is_frame_free, takes_parts
 
 MARGIN = Fraction(1, 1000)
@@ -139,20 +140,58 @@ class Signs:
 
     def _is_apart_at_infinity(self, a: Element) -> bool:
         """Return whether a number is not 0 where a generator is infinite, as at half turns, in the domain."""
-        for i in map(self.ring.index, self.field.used(a).intersection(self._infinite())):
-            outside = any(self._degree(b, i) < 0 for b in self.apart) or any(
-                self._degree(b, i) >= 0 and not self.field.used(self._leading(b.numerator, i)) for b in self._gaps)
+        for name in self._hidden(a).intersection(self._infinite()):
+            i = self.ring.index(name)
+            outside = any(self._vanishes_far(b, i) for b in self.apart) or any(self._is_far(b, i) for b in self._gaps)
             if not outside and not self._is_apart_far(a, i):
                 return False
         return True
 
+    def _hidden(self, a: Element) -> set[str]:
+        """Return the generators in a number and in the factors of its powers with integer letters."""
+        factors = [factor for factor, name, _ in self.field.powers.values() if name in self.field.used(a)]
+        found: set[str] = self.field.used(a).union(*map(self.field.used, factors))
+        return found
+
+    def _growth(self, a: Element, i: int) -> tuple[Element, list[Element]]:
+        """Return the degree of a quotient in a generator, and the leading coefficients of the factors above."""
+        degree, leading = self.field.element(0), []
+        powers = {name: (factor, twice) for factor, name, twice in self.field.powers.values()}
+        for part, sign in ((a.numerator, 1), (a.denominator, -1)):
+            for factor, count in self.ring.library.factors(part):
+                number = self.ring.fraction(factor, self.ring.library.one)
+                base, m = next((powers[name] for name in self.field.used(number) & {*powers}
+                                if number == self.field.symbol(name)), (number, Fraction(2)))
+                if not {*powers}.isdisjoint(self.field.used(base)) and self.ring.names[i] in self._hidden(base):
+                    raise NotExactError("a sum of powers with integer letters")
+                highest = int(base.numerator.degrees()[i])
+                degree = degree + m * Fraction(sign * count * highest, 2)
+                leading += [self._leading(base.numerator, i)] if highest and sign > 0 else []
+        return degree, leading
+
+    def _vanishes_far(self, a: Element, i: int) -> bool:
+        """Return whether a number is 0 where a generator is infinite."""
+        with suppress(NotExactError):
+            return bool(self._growth(a, i)[0].sign() < 0)
+        return False
+
+    def _is_far(self, a: Element, i: int) -> bool:
+        """Return whether a number has constants as leading coefficients, and is not 0 where a generator is infinite."""
+        with suppress(NotExactError):
+            degree, leading = self._growth(a, i)
+            every = len(leading) == len(self.ring.library.factors(a.numerator))
+            return every and not any(map(self.field.used, leading)) and bool(degree.sign() >= 0)
+        return False
+
     def _is_apart_far(self, a: Element, i: int) -> bool:
-        """Return whether a number is not 0 where a generator is infinite; it may be if a root is infinite too."""
+        """Return whether a number is proved not to be 0 where a generator is infinite; it may be if a root is too."""
         used, name = self.field.used(a), self.ring.names[i]
         if any(root in used and name in self.field.used(square) for square, root in self.field.extensions):
             return False
-        degree = self._degree(a, i)
-        return degree > 0 or (degree == 0 and self.is_nonzero(self._leading(a.numerator, i)))
+        with suppress(NotExactError):
+            degree, leading = self._growth(a, i)
+            return bool(degree.sign() > 0 or (not degree and all(map(self.is_nonzero, leading))))
+        return False
 
     def _infinite(self) -> Iterator[str]:
         """Yield the generators that are infinite at values of letters: tangents, and coordinates of directions."""
@@ -163,12 +202,6 @@ class Signs:
             reached = most > end or (most == end and any(other in self.ring.closed for other, _ in monomial))
             if what == "tangent" and reached:
                 yield name
-
-    def _degree(self, a: Element, i: int) -> int:
-        """Return the degree of a quotient in a generator, which is 0 where this is infinite if that is negative."""
-        above, below = (max((powers[i] for powers in self.ring.library.terms(part)), default=0)
-                        for part in (a.numerator, a.denominator))  # fmt: skip
-        return int(above - below)
 
     def _leading(self, polynomial: Any, i: int) -> Element:
         """Return the coefficient of the highest power of a generator in a polynomial."""
@@ -181,7 +214,7 @@ class Signs:
 
     def _is_apart(self, factor: Any) -> bool:
         """Return whether a factor is 0 nowhere; that of several letters also in limits of polar forms."""
-        if factor in (self.ring.library.one, *self.nonzero) or self._is_root_apart(factor):
+        if factor in (self.ring.library.one, *self.nonzero) or self._is_power_apart(factor):
             return True
         if any(factor == self.field.product(monomial).numerator and self.field.symbol(name).numerator in self.nonzero
                for (what, monomial), name in self.field.meanings.items() if what == "tangent"):  # fmt: skip
@@ -217,10 +250,10 @@ class Signs:
 
         return {*of(a, frozenset())} - {"pi"}
 
-    def _is_root_apart(self, factor: Any) -> bool:
-        """Return whether a factor is the root of a number that is 0 nowhere."""
-        roots = (square for square, name in self.field.extensions if factor == self.field.symbol(name).numerator)
-        return any(map(self.is_nonzero, roots))
+    def _is_power_apart(self, factor: Any) -> bool:
+        """Return whether a factor is a root, or a power with an integer letter, of a number that is 0 nowhere."""
+        rows = (*self.field.extensions, *self.field.powers.values())
+        return any(self.is_nonzero(base) for base, name, *_ in rows if factor == self.field.symbol(name).numerator)
 
     def is_positive(self, a: Element, strict: bool = False, depth: int = DEPTH) -> bool:
         """Return whether a number is proved not to be negative, or to be positive if `strict`.
@@ -293,7 +326,7 @@ def _equal_pairs(statement: Term) -> list[tuple[Term, ...]]:
 def signs_of(claim: Claim, condition: Sequence[Term], parts: Sequence[Term]) -> list[Signs]:
     """Return the signs for each choice of orders and of signs of the roots in parts, with what the domain says."""
     found: list[Signs] = []
-    for fixed in claim.choices:
+    for fixed in claim.general:
         waiting: list[tuple[int, ...]] = [()]
         while waiting:
             chosen = waiting.pop()
@@ -321,6 +354,7 @@ def signs_in(claim: Claim, env: Env, condition: Sequence[Term] = ()) -> Signs:
 
 def undecided_parts(claim: Claim, condition: Sequence[Term] = ()) -> list[Term]:
     """Return the partial operations of a claim that are not proved to have a value."""
+    claim, condition = with_solved_equations(claim, *condition)
     claim, condition = with_free_product(claim, *condition)
     claim, condition = with_frames_at_rest(claim, *condition)
     given = [part.arguments[0] for part in condition if part.operator.name == "equal"]  # those have a value
@@ -335,8 +369,9 @@ def undecided_parts(claim: Claim, condition: Sequence[Term] = ()) -> list[Term]:
 
 
 def _has_slope(claim: Claim, part: Term) -> bool:
-    """Return whether rates of a part matter, or its dual part apart from the real one."""
-    return bool(claim.depth or (takes_parts(claim.statement) and is_dual(part)))
+    """Return whether rates of a part matter, or its dual part beside a real one."""
+    is_pure = part.operator.name == "times" and epsilon in part.arguments  # its magnitude is that of the dual part
+    return bool(claim.depth or (takes_parts(claim.statement) and is_dual(part) and not is_pure))
 
 
 def _has_value(signs: Signs, part: Term, asked: str) -> bool:

@@ -269,11 +269,13 @@ def _stated(claim: Claim, early: Callable[[Finding], None]) -> Finding:
     other = claim.within(negated(condition))
     probe = Probe(other, condition)
     beyond = Outcome().tried(other, chain(probe.first(), probe.zeros()), lambda outcome: False)
-    if not beyond.points:
+    if not (beyond.points or beyond.blurred):
         return Finding(Status.UNDECIDED, "no point outside its condition")
     if wrong := contradicted(claim, beyond):
         return Finding(Status.UNDECIDED, wrong)
-    method = finding.method + (f"; also true at {beyond.true[0].label}" if beyond.true else "")
+    known = "" if beyond.points else "no point outside its condition tells"
+    known = f"also true at {beyond.true[0].label}" if beyond.true else known
+    method = "; ".join(filter(None, (finding.method, known)))
     status = Status.HOLDS_IF if finding.status is Status.HOLDS else finding.status
     return replace(finding, status=status, method=method)
 

@@ -8,26 +8,27 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
-from dataclasses import replace
-from functools import partial, reduce
+from functools import partial
+from itertools import permutations
 from math import lcm, prod
 from typing import Any
 
 from ...algebra.element import NotExactError
 from ..language.environment import Env
-from ..language.matrices import inverse, zeros
+from ..language.matrices import inverse
 from ..language.operations import written
-from ..language.operator_table import Du, both, equal, over
+from ..language.operator_table import Du, over
 from ..language.printed import Number, Symbol, Term, Trait, symbols, walk, with_trait
 from ..numbers.fields import innermost
 from ..numbers.generators import Generators
-from ..numbers.kinds import KINDS, ORDER
+from ..numbers.kinds import BRANCH, ORDER
 from ..numbers.residues import Residues, UnluckyError
 from .claim import Claim, kind
 from .constrained import gaps
 from .frames import with_frames_at_rest
 from .polar import Polar, Way, bounds, closed_letters
-from .terms import operators, takes_parts
+from .solved import conjuncts, with_solved_equations
+from .terms import is_frame_free, operators, takes_parts
 
 PRIMES_MAX = 40
 """Largest number of primes that are tried for one with all roots."""
@@ -35,10 +36,14 @@ TESTS = 2**20
 """More equalities than a proof tests."""
 MODULO = "proved modulo a random prime"
 ROTATION, PRODUCT = "rotation", "S of rotations"
-CUT = frozenset(("floor of number", "or", "negated", "implies", "iff", "cases"))
+CUT = frozenset(("floor of number", "negated", "implies", "iff", "cases"))
 """Operators that jump: a claim that is true at generic values may be false at special ones."""
 STRICT = {"less": True, "at most": False, "greater": True, "at least": False}
 """Order relations, with whether they exclude equality."""
+ANGLES = frozenset(("real", "real angle", "dual number", "angle"))
+"""Kinds of numbers that may be any number."""
+WHOLE = frozenset(("π", "integer", "order", "branch"))
+"""Kinds of letters in a multiple of π."""
 ABSENT = (ArithmeticError, TypeError, AttributeError, KeyError, ValueError, IndexError)
 """Errors of a number that a field does not have."""
 Make = Callable[..., Generators]
@@ -68,14 +73,19 @@ def proved_exactly(claim: Claim) -> bool:
     return _for_all_signs(claim, Generators)
 
 
-def _for_all_signs(claim: Claim, make: Make) -> bool:
+def proved_for_all_orders(claim: Claim) -> bool:
+    """Return whether a claim is true for letters as its orders and branches, exactly."""
+    return _for_all_signs(claim, Generators, claim.general)
+
+
+def _for_all_signs(claim: Claim, make: Make, choices: Sequence[Mapping[Symbol, int]] | None = None) -> bool:
     """Return whether a claim is true for all orders and for all signs of roots whose sign is unknown.
 
     Raise NotExactError if the field cannot tell.
     """
-    claim, _ = with_free_product(with_solved_equations(claim))
+    claim, _ = with_free_product(with_solved_equations(claim)[0])
     claim, _ = with_frames_at_rest(claim)
-    for fixed in claim.choices:
+    for fixed in claim.choices if choices is None else choices:
         waiting: list[tuple[int, ...]] = [()]
         while waiting:
             signs = waiting.pop()
@@ -87,13 +97,13 @@ def _for_all_signs(claim: Claim, make: Make) -> bool:
 
 
 def jumps(statement: Term) -> bool:
-    """Return whether a statement has an operator that jumps; the name of ``cases`` ends with its number of arms."""
-    return any(node.operator.name.rstrip("0123456789") in CUT for node in walk(statement))
+    """Return whether a statement has an operator that jumps; the name of ``cases`` ends with its number of arms.
 
-
-def conjuncts(domain: Term) -> list[Term]:
-    """Return the relations that a domain joins by "and"."""
-    return [part for one in domain.arguments for part in conjuncts(one)] if domain.operator is both else [domain]
+    Equations as alternatives do not: one that is true at generic values is true wherever both sides have values.
+    """
+    if statement.operator.name == "or":
+        return any(jumps(part) or part.operator.name not in ("or", "equal") for part in statement.arguments)
+    return statement.operator.name.rstrip("0123456789") in CUT or any(map(jumps, statement.arguments))
 
 
 def _evaluated(
@@ -128,9 +138,14 @@ def setting(
     if claim.constraints:
         way = Way.COMPONENTS
     dual = takes_parts(claim.statement, *claim.constraints) or Du.name in operators(*claim.parts)
-    given = bounds(domain), field, closed_letters(domain), dual, way
+    counts = [a for a in claim.letters if a.quantity in (ORDER, BRANCH) and a not in fixed]
+    turning = bool(counts) and is_frame_free(*claim.parts)
+    given = bounds(domain), field, closed_letters(domain), dual, way, counts, turning
     letters = Polar(claim.coordinates, claim.depth, *given)
     env = Env(letters.field, letters.values | dict(fixed), claim.entry.definitions, dual, claim.depth)
+    for letter, turns in _turned(claim.statement).items():
+        if letter in env.values and letter.name not in given[0]:
+            env.values[letter] = env.values[letter] - env.value(turns)
     if claim.constraints:
         letters.field.restrict_to([letters.field.element(gap) for gap in gaps(env, claim.constraints)])
     for part in domain:
@@ -138,6 +153,17 @@ def setting(
             with suppress(*ABSENT):
                 letters.field.assumed.append(letters.field.element(not_negative(env, part)))
     return env
+
+
+def _turned(statement: Term) -> dict[Symbol, Term]:
+    """Return the multiples of π that a statement adds to numbers, of which new letters then are the sum."""
+    found: dict[Symbol, Term] = {}
+    for node in walk(statement):
+        for a, b in permutations(node.arguments) if node.operator.name in ("plus", "minus") else ():
+            names = {letter.quantity.name for letter in symbols(b)}
+            if isinstance(a, Symbol) and a.quantity.name in ANGLES and "π" in names and names <= WHOLE:
+                found.setdefault(a, b if node.operator.name == "plus" else -b)
+    return found
 
 
 def whole_steps(statement: Term) -> int:
@@ -155,43 +181,6 @@ def not_negative(env: Env, part: Term) -> Any:
     """Return the number that an order relation says not to be negative."""
     gap = innermost(env.now(env.value(difference(part))))
     return gap if part.operator.name in ("greater", "at least") else -gap
-
-
-def with_solved_equations(claim: Claim) -> Claim:
-    """Return a claim with an expression for each letter that an equation of the stated domain equates with it."""
-    domain = [] if claim.entry.claimed is None else conjuncts(claim.entry.claimed)
-    for part in domain:
-        a, b = part.arguments if part.operator.name == "equal" and len(part.arguments) == 2 else (part, part)
-        for letter, value in ((a, b), (b, a)):
-            free = letter in claim.coordinates and kind(letter).free == kind(letter).spread == ""
-            value = zero_like(letter) if free and value in (Number(0), Number(0) * letter) else value
-            if free and letter not in symbols(value):
-                rest = [one.xreplace({letter: value}) for one in domain if one is not part]
-                entry = replace(claim.entry, claimed=reduce(both, rest) if rest else None)
-                return with_solved_equations(Claim(entry, claim.statement.xreplace({letter: value}), claim.orders))
-    return claim
-
-
-def zero_like(letter: Symbol) -> Term:
-    """Return the zero of a letter's kind; 0 for a kind without a matrix, which 0 equals too."""
-    rows = {3: (3, 1), 6: (6, 1), 9: (3, 3)}.get(kind(letter).size)
-    zero: Term = Number(0) if rows is None else zeros(*map(Number, rows))
-    return zero
-
-
-def with_vectors_for_lengths(domain: Term) -> Term:
-    """Return a domain with ``v == 0`` for ``norm(v) == 0`` and ``dot(v, v) == 0``, which have no derivative there."""
-    sides = (part.arguments for part in conjuncts(domain) if part.operator.name == "equal")
-    squares = [a for a, *rest in sides if rest == [Number(0)] and _is_square(a)]
-    plain: Term = domain.xreplace({equal(a, 0): equal(a.arguments[0], 0) for a in squares})
-    return plain
-
-
-def _is_square(part: Term) -> bool:
-    """Return whether a term is the magnitude of a real letter, or its square as a scalar product."""
-    name, arguments = part.operator.name, part.arguments
-    letter = arguments[0] if name == "norm" or (name == "dot" and arguments[0] == arguments[1]) else None
-    return isinstance(letter, Symbol) and letter.quantity.name in KINDS and not kind(letter).dual
 
 
 def with_free_product(claim: Claim, *further: Term) -> tuple[Claim, tuple[Term, ...]]:

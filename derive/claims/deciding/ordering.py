@@ -21,9 +21,10 @@ from ..numbers.generators import Generators
 from ..numbers.signed import Bound
 from .claim import Claim, kind
 from .existence import MARGIN, Signs, signs_in, undecided_parts
-from .identity import ABSENT, STRICT, conjuncts, difference, not_negative, orders_of, setting, whole_steps
+from .identity import ABSENT, STRICT, difference, not_negative, orders_of, setting, whole_steps
 from .polar import ALL, POSITIVE, Way, bounds
 from .proof import proved
+from .solved import conjuncts
 from .terms import is_frame_free, operators
 
 DERIVATIVES_MAX = 8

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterator, Sequence
+from math import inf, prod
 
+from ..language.calculus import BINDERS
 from ..language.matrices import zeros
 from ..language.operator_table import cos, det, infinity, sin
-from ..language.printed import Number, Symbol, Term, symbols
+from ..language.printed import Number, Symbol, Term, symbols, walk
+from ..numbers.kinds import BRANCH, ORDER
 from .terms import is_dual
 
 ROOTS = tuple(Number(k) / Number(2) for k in (1, 3, 5))
@@ -60,6 +63,24 @@ def is_named(part: Term, named: Sequence[Term]) -> bool:
     return name == "times" and all(isinstance(a, Number) or is_named(a, named) for a in arguments)
 
 
+def least(term: Term, indices: Collection[Term] = ()) -> float:
+    """Return the least value of a sum or product of numbers, orders and `indices` from 0 on; -∞ if it is not known."""
+    if isinstance(term, Number):
+        return term.value
+    if isinstance(term, Symbol):
+        return 1 if term.quantity is ORDER else 0 if term.quantity is BRANCH or term in indices else -inf
+    name, parts = term.operator.name, [least(a, indices) for a in term.arguments]
+    if name == "plus" or (name == "minus" and isinstance(term.arguments[1], Number)):
+        return parts[0] + parts[1] * (1 if name == "plus" else -1)
+    return prod(parts) if name in ("times", "bracket") and min(parts) >= 0 else -inf
+
+
+def _indices(statement: Term) -> set[Term]:
+    """Return the indices of sums and products that are never negative."""
+    rows = [node.arguments for node in walk(statement) if BINDERS.get(node.operator.name) == 0]
+    return {index for index, *_ in rows} - {index for index, low, *_ in rows if least(low) < 0}
+
+
 def partial_operations(
     statement: Term, has_slope: Callable[[Term], bool], given: Sequence[Term] = ()
 ) -> Iterator[tuple[Term, str]]:
@@ -68,11 +89,12 @@ def partial_operations(
     At 0 a magnitude or root has no slope, and a dual number no root. Nothing is asked of the series and limits that are
     `given` to have a value.
     """
+    indices = _indices(statement)
     for node in _evaluated_nodes(statement):
         name, arguments = node.operator.name, node.arguments
         if name == "over":
             yield arguments[1], "not 0"
-        elif name == "power" and not (isinstance(arguments[1], Number) and arguments[1].value >= 0):
+        elif name == "power" and least(arguments[1], indices) < 0:
             exponent = arguments[1]
             if exponent not in ROOTS:
                 yield arguments[0], "not 0"

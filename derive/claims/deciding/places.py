@@ -8,7 +8,7 @@ from contextlib import suppress
 from dataclasses import replace
 from fractions import Fraction
 from functools import cached_property, partial
-from itertools import chain, combinations, islice
+from itertools import chain, combinations, islice, product
 from typing import Any
 
 from ...algebra import Vector
@@ -17,7 +17,7 @@ from ..language.printed import Symbol, Term, symbols
 from ..numbers.balls import BlurredError, arb
 from ..numbers.kinds import BRANCH, ORDER, SIGN, Numbers, Quantity, special
 from .claim import Claim, Place, kind
-from .constrained import onto, touching
+from .constrained import is_on, onto, touching
 from .equal_sides import equal_places
 from .singular import ABSENT, ORDERED, Singular, is_integer, singular, size
 from .terms import bare, operators
@@ -36,6 +36,8 @@ PAIRS_MAX = 24
 """Number of points with two special letters."""
 PROJECTIONS_MAX = 40
 """Number of points that are moved onto the equations of the stated domain."""
+FAILURES_MAX = 8
+"""Number of points in vain for each that is moved there."""
 FEW = 24
 """Number of points in the stated domain below which more are drawn near them."""
 
@@ -50,7 +52,7 @@ class Probe:
         self.claim, self.terms = claim, terms or claim.parts
         self.random = random.Random(f"probe {claim.entry.number}")
         self.roots: dict[tuple[Term, Symbol], list[float]] = {}  # zeros of singular parts along the first line
-        self._projections = 0
+        self._projections = self._failures = 0
         self._found: list[Place] = []
 
     # ---- coordinates ----------------------------------------------------------------------------------------------
@@ -117,9 +119,9 @@ class Probe:
     def _inside(self, places: Iterable[Place]) -> Iterator[Place]:
         for place in filter(self._is_invertible, places):
             try:
-                if self.claim.inside(place) and not (self.claim.constraints and self.claim.depth):
+                if self.claim.inside(place) and (not self.claim.depth or self._is_on(place)):
                     yield place
-                elif self.claim.constraints:
+                elif self.claim.aims:
                     yield from islice(filter(self.claim.inside, self._projected(place)), 1)
             except BlurredError:
                 continue
@@ -129,13 +131,21 @@ class Probe:
         letters = (a for a in self.claim.coordinates if kind(a).invertible)
         return not any(arb(c).contains(0) for a in letters for c in place.at[a])
 
+    def _is_on(self, place: Place) -> bool:
+        """Return whether the rates of a point, too, fulfil the equations of the stated domain."""
+        return not self.claim.aims or any(is_on(aim, place) for aim in self.claim.aims)
+
     def _projected(self, place: Place) -> Iterator[Place]:
         """Yield the points on the equations of the domain near a point and near the opposite one."""
         opposite = {a: kind(a).antipode(c) if a in self.claim.coordinates else c for a, c in place.at.items()}
-        for start in (place, replace(place, at=opposite)):
-            if self._projections < PROJECTIONS_MAX and (moved := onto(self.claim, start)):
-                self._projections += 1
-                yield moved
+        for aim, start in product(self.claim.aims, (place, replace(place, at=opposite))):
+            if self._projections < PROJECTIONS_MAX and self._failures < (self._projections or 1) * FAILURES_MAX:
+                moved = onto(aim, start)
+                if moved is None:
+                    self._failures += 1
+                else:
+                    self._projections += 1
+                    yield moved
 
     def _short(self) -> Iterator[Place]:
         for i in range(3):

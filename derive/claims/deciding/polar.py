@@ -21,7 +21,7 @@ from ...algebra.matrix import shaped
 from ..language.matrices import entry, stacked
 from ..language.printed import Number, Symbol, Term, symbols
 from ..numbers.generators import Generators
-from ..numbers.kinds import KINDS, jet, sphere
+from ..numbers.kinds import KINDS, ORDER, jet, sphere
 from ..numbers.signed import Bound
 
 POSITIVE = (sympy.Integer(0), sympy.oo)
@@ -48,6 +48,10 @@ def _vector(field: Generators, c: Mapping[str, Any]) -> Any:
     return sphere((1, c["s"], c["t"])) * c["X"]
 
 
+def _tangent(field: Generators, c: Mapping[str, Any]) -> Any:
+    return sphere((1, c["s"], c["t"])) * field.tan(c["A"])
+
+
 def _six(field: Generators, c: Mapping[str, Any]) -> Any:
     return shaped([[a] for a in (*_vector(field, c), c["x"], c["y"], c["z"])])
 
@@ -63,6 +67,8 @@ FORMS: Mapping[str, tuple[Mapping[str, tuple[Bound, Bound]], Make]] = {
     "wrench": ({"X": POSITIVE, **_DIRECTION, **_POINT}, _six),
 }
 """Coordinates with their intervals and the builder of a value, for kinds with a polar form."""
+TANGENT = {"A": (sympy.Integer(0), sympy.pi / 2), **_DIRECTION}, _tangent
+"""Form of a vector by the tangent of an angle, of which a claim about every order takes multiples."""
 
 
 def _in_plane(field: Generators, c: Mapping[str, Any]) -> Any:
@@ -123,27 +129,38 @@ def _intervals(
 class Polar:
     """Values of letters over a field of generators; `field` makes it from names, intervals, integers and steps.
 
-    Dual letters have dual parts if `dual`, else their real parts alone.
+    Dual letters have dual parts if `dual`, else their real parts alone. `counts` are orders and branches of any size.
+    If the frame is `free`, the first direction is that of its third axis now.
     """
 
     def __init__(
         self, letters: Sequence[Symbol], depth: int, bounds: Mapping[str, tuple[Bound, Bound]],
         field: Callable[..., Generators], closed: Collection[str] = (), dual: bool = False, way: Way = Way.POLAR,
+        counts: Sequence[Symbol] = (), free: bool = False,
     ) -> None:  # fmt: skip
         self.depth, self.dual, self.forms = depth, dual, forms(letters, way)
+        if counts:
+            plain = (a for a in self.forms if self.forms[a][1] is _vector and a.name not in bounds)
+            self.forms |= dict.fromkeys(plain, TANGENT)
         if way is Way.FRAMED and (depth or dual):
             raise NotExactError("no frame along moving vectors")
+        first = next((a.name for a in letters if "s" in self.forms.get(a, ((),))[0]), "") if free else ""
+        self.along_axis = {f"{first}.s", f"{first}.t"}
         stems = {a: _intervals(a, self.forms[a][0] if a in self.forms else None, bounds) for a in letters}
         intervals = {f"{a.name}.{stem}": ends for a in letters for stem, ends in stems[a].items()}
         parts = ("", DUAL) if dual else ("",)
         names = [name + part + dots for name in intervals for part in parts for dots in ("", *RATES[:depth])]
         integers = [f"{a.name}.0" for a in letters if KINDS[a.quantity.name].spread == "integer"]
+        least = {f"{a.name}.0": (sympy.Integer(a.quantity is ORDER), sympy.oo) for a in counts}
+        names, integers, intervals = [*names, *least], [*integers, *least], intervals | least
         ranges = {name: ends for name, ends in intervals.items() if ends != ALL}
         reached = {f"{a.name}.{stem}" for a in self.forms for stem in ("X", "c") if way is Way.FRAMED}
-        shut = {name for name in ranges if name.split(".")[0] in closed} | (reached & set(ranges))
+        shut = {name for name in ranges if name.split(".")[0] in closed} | (reached & set(ranges)) | set(least)
         self.field = field(names, ranges, integers, closed=shut)
         self.field.limits = {name for name in ranges if name.split(".")[1] in LENGTHS}
+        self.field.endless = {f"{a.name}.A" for a, form in self.forms.items() if form is TANGENT}
         self.values = {a: self._value(a, list(stems[a])) for a in letters}
+        self.values |= {a: self.field.symbol(f"{a.name}.0") for a in counts}
 
     def _value(self, letter: Symbol, stems: Sequence[str]) -> Any:
         kind = KINDS[letter.quantity.name]
@@ -158,7 +175,7 @@ class Polar:
         still = kind.constant or kind.spread == "integer"
 
         def part(of: str) -> Any:
-            value = self.field.symbol(of)
+            value = self.field.element(0) if of in self.along_axis else self.field.symbol(of)
             return jet(value, [0 * value if still else self.field.symbol(of + dots) for dots in RATES[: self.depth]])
 
         if not self.dual:

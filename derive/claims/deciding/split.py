@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from functools import reduce
 
 from ..language.matrices import unlike
-from ..language.operator_table import both, equal, implies, negated
+from ..language.operator_table import both, equal, every, implies, negated
 from ..language.printed import Apply, Number, Term, Trait
 from .claim import Claim
 
@@ -19,7 +19,7 @@ def split(claim: Claim) -> Iterator[Claim]:
     statement = claim.statement
     if statement.operator is implies:
         premise, conclusion = statement.arguments
-        yield from split(claim.within(affirmed(premise)).with_statement(conclusion))
+        yield from split(claim.within(affirmed(_one_by_one(premise))).with_statement(conclusion))
     elif statement.operator is negated and statement.arguments[0].operator is both:
         first, *rest = statement.arguments[0].arguments
         yield from split(claim.within(affirmed(first)).with_statement(negated(reduce(both, rest))))
@@ -41,6 +41,17 @@ def affirmed(statement: Term) -> Term:
         return reduce(both, map(affirmed, statement.arguments))
     opposite = _opposite(statement.arguments[0]) if statement.operator is negated else None
     return statement if opposite is None else opposite
+
+
+def _one_by_one(premise: Term) -> Term:
+    """Return a premise with its relations for each number in place of those for every one."""
+    if premise.operator is both:
+        return reduce(both, map(_one_by_one, premise.arguments))
+    if premise.operator is not every or not all(isinstance(a, Number) for a in premise.arguments[1:3]):
+        return premise
+    index, low, high, body = premise.arguments
+    each = [_one_by_one(body.xreplace({index: Number(k)})) for k in range(low.value, high.value + 1)]
+    return reduce(both, each) if each else premise
 
 
 def _opposite(relation: Term) -> Term | None:

@@ -17,8 +17,9 @@ from ..numbers.balls import BlurredError, arb
 from ..numbers.fields import innermost
 from ..numbers.kinds import Numbers
 from .claim import Claim, Place, kind
-from .identity import STRICT, conjuncts, difference
+from .identity import STRICT, difference
 from .polar import bounds
+from .solved import conjuncts
 
 CORNERS_MAX = 512
 """Largest number of corners."""

@@ -1,12 +1,12 @@
 """Fields in which formulas are evaluated, with their elementary functions.
 
-`Exact` consists of rational functions of independent symbols, which decide a formula for all values at once. Numbers of
-points are those of `derive.claims.numbers.balls`.
+`Exact` and `Constants` have rational numbers. Numbers of points are those of `derive.claims.numbers.balls`, and those
+of all points at once those of `derive.claims.numbers.generators`.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable
 from fractions import Fraction
 from operator import matmul, mul
 from typing import Any
@@ -133,15 +133,10 @@ class Field(Elementary):
 
 
 class Exact(Field):
-    """Rational functions over Q of independent symbols, with roots of squares and half-angle tangents."""
+    """Rational numbers and π, with roots of squares."""
 
-    def __init__(
-        self, names: Sequence[str] = (), angles: Mapping[str, int] | None = None, positive: Iterable[str] = ()
-    ) -> None:
-        self.functions = AngleField(names, angles)
-        self.symbol = self.functions.symbol
-        self.positive = frozenset(positive)  # generators in (0, 1) if tangents of a half angle, else in (0, ∞)
-        self.branched = False  # whether a root or an angle was chosen whose sign differs elsewhere
+    def __init__(self) -> None:
+        self.functions = AngleField(())
 
     def _sin(self, a: Any) -> Any:
         return self.functions.sin(self.functions.element(a))
@@ -150,37 +145,15 @@ class Exact(Field):
         return self.functions.cos(self.functions.element(a))
 
     def _sqrt(self, a: Any) -> Any:
-        return self._chosen(self.functions.element(a).sqrt())
-
-    def absolute(self, a: Any) -> Any:
-        return self._chosen(abs(a)) if isinstance(a, Element) else super().absolute(a)
-
-    def _chosen(self, root: Element) -> Element:
-        """Return a root that is positive at the reference point; note whether it may be negative elsewhere."""
-        factors = (row for part in (root.numerator, root.denominator) for row in self.functions.library.factors(part))
-        self.branched |= not all(self._definite(factor) for factor, power in factors if power % 2)
-        return root
-
-    def _definite(self, factor: Any) -> bool:
-        """Return whether a polynomial has one sign: by its even powers and coefficients, or as 1 ± t with 0 < t < 1."""
-        terms, names = self.functions.library.terms(factor), self.functions.names
-        used = {name for powers in terms for name, power in zip(names, powers, strict=True) if power}
-        if len(used) == 1 and used <= self.positive and all(name.startswith("tan_") for name in used):
-            return all(abs(c) == abs(next(iter(terms.values()))) for c in terms.values()) and len(terms) <= 2
-        even = all(p % 2 == 0 or name in self.positive for e in terms for name, p in zip(names, e, strict=True))
-        return even and len({c > 0 for c in terms.values()}) == 1
-
-    def _atan2(self, y: Any, x: Any) -> Any:
-        self.branched = True
-        return self.functions.atan2(self.functions.element(y), self.functions.element(x))
+        return self.functions.element(a).sqrt()
 
     @property
     def pi(self) -> Element:
-        return self.symbol("pi")
+        return self.functions.symbol("pi")
 
 
 class Constants(Exact):
-    """Exact numbers without symbols, which have signs."""
+    """Exact numbers that have signs."""
 
     ordered = True
 

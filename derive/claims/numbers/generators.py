@@ -12,7 +12,7 @@ of `signs`, and a claim is proved if it is true for all of them.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from contextlib import suppress
 from fractions import Fraction
 from functools import cached_property
@@ -20,14 +20,18 @@ from itertools import combinations
 from math import prod
 from typing import Any
 
+from ...algebra import Dual, Quaternion, Vector, dual_part, real_part
 from ...algebra.element import Element, NotExactError
 from .fields import Field
-from .generic import Ideal
+from .ideal import Ideal
 from .intervals import INTERVALS, Monomial, interval
+from .powers import is_whole, power
 from .signed import Bound, Signed, turns_to_principal
 
-POOLS = {"tangent": 7, "exponential": 2, "root": 4, "logarithm": 4, "angle": 4, "turn": 3}
+POOLS = {"tangent": 7, "exponential": 2, "root": 4, "logarithm": 4, "angle": 4, "turn": 3, "power": 0}
 """Number of generators of the exact field that are given a meaning when a formula needs one; a turn is an integer."""
+POWERS_MAX = 12
+"""Number of generators of powers in a field with integers."""
 ROOTS_MAX = 5
 """Largest number of roots of unknown sign."""
 
@@ -47,9 +51,12 @@ class Generators(Field):
         signs: Sequence[int] = (), closed: Collection[str] = (),
     ) -> None:  # fmt: skip
         self.names, self.given, self.steps, self.signs = tuple(names), dict(ranges), steps, list(signs)
-        self.closed, self.limits = closed, set[str]()
+        self.closed, self.limits, self.endless = closed, set[str](), set[str]()
+        self.pools = {**self.pools, "power": POWERS_MAX if integers else 0}
         self.integers = {*integers, *self.pool("turn")}
-        self.roots: list[Any] = []  # roots of unknown sign, up to this sign
+        self.roots: list[Any] = []  # roots of unknown sign, up to this sign; None for the sign of a parity
+        self.parities: dict[tuple[str, Monomial], int] = {}
+        self.powers: dict[tuple[str, Monomial], tuple[Any, str, Any]] = {}  # factors, names, and twice the exponents
         self.meanings: dict[tuple[str, Monomial], str] = {}  # generators of tangents and exponentials
         self.taken = dict.fromkeys(POOLS, 0)  # numbers of generators with a meaning
         self.extensions: list[tuple[Any, str]] = []  # numbers that are no squares, with the generators of their roots
@@ -61,10 +68,11 @@ class Generators(Field):
     @cached_property
     def ring(self) -> Any:
         """Ring of all generators; roots come first, since a relation eliminates its first generator."""
-        first, *others = map(self.pool, ("root", "turn", "angle", "logarithm", "tangent", "exponential"))
+        first, *others = map(self.pool, ("root", "turn", "angle", "logarithm", "tangent", "exponential", "power"))
         names = [*first, *self.names, "pi", *(name for pool in others for name in pool)]
         found = Signed(names, self.given, self.closed)
         found.limits |= self.limits
+        found.endless |= self.endless
         return found
 
     def pool(self, what: str) -> list[str]:
@@ -80,12 +88,14 @@ class Generators(Field):
         return self.ring.element(a)
 
     def terms(self, a: Any) -> Iterator[tuple[Monomial, Fraction]]:
-        """Yield the terms of a number that is a polynomial in the names."""
+        """Yield the terms of a number that is a polynomial in the names and their inverses."""
         a = self.ring.fraction(a.numerator, a.denominator, lowest_terms=True)
-        if a.denominator != self.ring.library.one:
-            raise NotExactError("an angle or exponent with a divisor")
+        (below, _), *rest = self.ring.library.terms(a.denominator).items()
+        if rest:
+            raise NotExactError("an angle or exponent with a sum as divisor")
         for powers, c in self.ring.library.terms(a.numerator).items():
-            monomial = tuple((name, k) for name, k in zip(self.ring.names, powers, strict=True) if k)
+            degrees = zip(self.ring.names, powers, below, strict=True)
+            monomial = tuple((name, k - m) for name, k, m in degrees if k != m)
             if any(name.startswith(("tangent ", "exponential ")) for name, _ in monomial):
                 raise NotExactError("an angle or exponent that contains a sine or an exponential")
             yield monomial, c
@@ -95,6 +105,7 @@ class Generators(Field):
         """Meaning of each generator, such as a root, with its number, its monomial, or the point (y, x) of an angle."""
         found = {name: (what, self.product(monomial)) for (what, monomial), name in self.meanings.items()}
         rows = (("root", self.extensions), ("logarithm", self.logarithms), ("angle", self.angles))
+        found |= {name: ("power", (factor, twice)) for factor, name, twice in self.powers.values()}
         return {str(name): (what, known) for what, pairs in rows for known, name in pairs} | found
 
     def used(self, a: Any) -> set[str]:
@@ -157,17 +168,77 @@ class Generators(Field):
             return root
         if self.is_positive(-root):
             return -root
-        for count in range(1, len(self.roots) + 1):
-            for some in combinations(zip(self.signs, self.roots, strict=False), count):
+        known = [(sign, root) for sign, root in zip(self.signs, self.roots, strict=False) if root is not None]
+        for count in range(1, len(known) + 1):
+            for some in combinations(known, count):
                 sign, ratio = prod(sign for sign, _ in some), root / prod(known for _, known in some)
                 if self.is_positive(ratio) or self.is_positive(-ratio):
                     return root * sign if self.is_positive(ratio) else -root * sign
+        self.assumed.append(root * self._next_sign(root))
+        return self.assumed[-1]
+
+    def _next_sign(self, root: Any) -> int:
+        """Return the next of `signs`, for a root or for a parity."""
         if len(self.roots) == ROOTS_MAX:
             raise NotExactError(f"more than {ROOTS_MAX} roots of unknown sign")
         self.roots.append(root)
         self.signs += [1] * (len(self.roots) - len(self.signs))
-        self.assumed.append(root * self.signs[len(self.roots) - 1])
-        return self.assumed[-1]
+        return self.signs[len(self.roots) - 1]
+
+    # ---- integers in exponents ---------------------------------------------------------------------------------------
+
+    def power(self, base: Any, exponent: Any) -> Any:
+        return power(self, base, exponent) if isinstance(exponent, Element) else super().power(base, exponent)
+
+    def parity(self, monomial: Monomial, of: str = "one") -> int:
+        """Return 1 for an even product of integers, -1 for an odd one, by the next of `signs`; also `of` its half."""
+        if not monomial:
+            return -1 if of == "one" else 1
+        known = of, tuple((name, 1) for name, _ in monomial) if of == "one" else monomial
+        if known not in self.parities:
+            self.parities[known] = self._next_sign(None)
+        return self.parities[known]
+
+    def _quarters(self, monomial: Monomial, count: int) -> tuple[Any, Any]:
+        """Return cosine and sine of ``count monomial π/2`` for a product of integers."""
+        one, zero = self.element(1), self.element(0)
+        if count % 2 == 0:
+            return (one if count % 4 == 0 else one * self.parity(monomial)), zero
+        half = one * self.parity(monomial, "half")
+        if self.parity(monomial) == 1:
+            return half, zero
+        return zero, half if count % 4 == 1 else -half
+
+    def half_power(self, factor: Any, monomial: Monomial, is_odd: bool) -> Any:
+        """Return the magnitude of a factor to the half of an integer, or to that of the integer less 1."""
+        if (str(factor), monomial) not in self.powers:
+            name = self._next("power")
+            self.powers[str(factor), monomial] = factor, name, self.product(monomial) - int(is_odd)
+            self.restrict("power", name, factor)
+        return self.symbol(self.powers[str(factor), monomial][1])
+
+    def line(self, y: Any, x: Any) -> Any:
+        """Return the angle of the line through a point (x, y), up to half turns."""
+        if not (isinstance(y, Dual) or isinstance(x, Dual)):
+            return self._angle_of_line(self.element(y), self.element(x))
+        a, b = real_part(y), real_part(x)
+        return Dual(self.line(a, b), (b * dual_part(y) - a * dual_part(x)) / (a * a + b * b))
+
+    def _angle_of_line(self, y: Any, x: Any) -> Any:
+        if not x:
+            return self.pi / 2
+        found = next(self._multiples(lambda c, s: y * c == x * s), None)
+        if found is None:
+            raise NotExactError("a power of a quaternion with an unknown angle")
+        return self.product(found[0]) * found[1]
+
+    def pair(self, n: Any, x: Any) -> Any:
+        """Return ``p_n`` and ``q_n`` at x, from ``(1 + iX)ⁿ = p_n + i X q_n``."""
+        if not isinstance(n, Element):
+            return super().pair(n, x)
+        X = self.sqrt(x)
+        found = self.power(Quaternion(1, Vector(0, 0, X)), n)
+        return found.scalar, found.vector.c3 / X
 
     # ---- angles and exponents ----------------------------------------------------------------------------------------
 
@@ -186,24 +257,29 @@ class Generators(Field):
         return c, s
 
     def _of_monomial(self, monomial: Monomial, multiple: Fraction) -> tuple[Any, Any]:
-        names = {name for name, _ in monomial}
-        one, zero = self.element(1), self.element(0)
-        if monomial == (("pi", 1),):
-            if (2 * multiple).denominator != 1:
-                raise NotExactError("a fraction of pi in a sine")
-            quarter = [(one, zero), (zero, one), (-one, zero), (zero, -one)]
-            return quarter[int(2 * multiple) % 4]
-        if names - {"pi"} <= self.integers and dict(monomial).get("pi") == 1 and (multiple / 2).denominator == 1:
-            return one, zero
+        whole = tuple(row for row in monomial if row != ("pi", 1))
+        if len(whole) < len(monomial) and is_whole(self, whole) and (2 * multiple).denominator == 1:
+            return self._quarters(whole, int(2 * multiple))
         count = multiple * self.steps
         if count.denominator != 1 or not monomial:
             raise NotExactError("a number or a fraction of an angle in a sine")
+        point = next((point for point, angle in self.angles if angle == self.product(monomial)), None)
+        if point is not None and multiple.denominator == 1:
+            return self._turned(*self._on_circle(*point), int(multiple))
         t = self.symbol(self._meaning("tangent", monomial))
-        cosine, sine = (1 - t * t) / (1 + t * t), (2 if count > 0 else -2) * t / (1 + t * t)
-        c, s = one, zero
-        for _ in range(abs(int(count))):
+        return self._turned((1 - t * t) / (1 + t * t), 2 * t / (1 + t * t), int(count))
+
+    def _on_circle(self, y: Any, x: Any) -> tuple[Any, Any]:
+        """Return cosine and sine of the angle of a point."""
+        radius = self._sqrt(x * x + y * y)
+        return x / radius, y / radius
+
+    def _turned(self, cosine: Any, sine: Any, count: int) -> tuple[Any, Any]:
+        """Return cosine and sine of a multiple of an angle."""
+        c, s = self.element(1), self.element(0)
+        for _ in range(abs(count)):
             c, s = c * cosine - s * sine, c * sine + s * cosine
-        return c, s
+        return c, s if count > 0 else -s
 
     def _exp(self, a: Any) -> Any:
         found = self.element(1)
@@ -249,13 +325,13 @@ class Generators(Field):
         """Return the factors of a number with their exponents if all are positive, else the number itself."""
         found, rest = [], a
         for part, sign in ((a.numerator, 1), (a.denominator, -1)):
-            for factor, power in self.ring.library.factors(part):
+            for factor, count in self.ring.library.factors(part):
                 number = self.ring.fraction(factor, self.ring.library.one)
                 number = number if self.is_positive(number) else -number
                 if not self.is_positive(number):
                     return [(a, 1)]
-                found.append((number, sign * power))
-                rest = rest / number ** (sign * power)
+                found.append((number, sign * count))
+                rest = rest / number ** (sign * count)
         return found if rest == 1 else [*found, (rest, 1)]
 
     # ---- inverse functions -------------------------------------------------------------------------------------------
@@ -282,16 +358,21 @@ class Generators(Field):
 
     def _known_angle(self, y: Any, x: Any) -> Any:
         """Return the angle of a point as k/steps of a monomial, plus turns if its range does not tell; else None."""
+        found = next(self._multiples(lambda c, s: self._along(y, x, s, c)), None)
+        if found is None:
+            return None
+        monomial, part = found
+        closed = any(name in self.closed for name, _ in monomial)
+        turns = turns_to_principal(part, *interval(self, monomial), closed)
+        return self.product(monomial) * part + 2 * self.pi * (
+            self.symbol(self._next("turn")) if turns is None else turns)
+
+    def _multiples(self, test: Callable[[Any, Any], bool]) -> Iterator[tuple[Monomial, Fraction]]:
+        """Yield the multiples of the monomials of known tangents whose cosine and sine pass a test."""
         for monomial in [monomial for what, monomial in self.meanings if what == "tangent"]:
-            angle = self.product(monomial)
-            for k in (k for k in range(-2 * self.steps, 2 * self.steps + 1) if k):
-                c, s = self._of_monomial(monomial, Fraction(k, self.steps))
-                if self._along(y, x, s, c):
-                    closed = any(name in self.closed for name, _ in monomial)
-                    turns = turns_to_principal(Fraction(k, self.steps), *interval(self, monomial), closed)
-                    turned = 2 * self.pi * (self.symbol(self._next("turn")) if turns is None else turns)
-                    return angle * Fraction(k, self.steps) + turned
-        return None
+            for part in (Fraction(k, self.steps) for k in range(-2 * self.steps, 2 * self.steps + 1) if k):
+                if test(*self._of_monomial(monomial, part)):
+                    yield monomial, part
 
     def product(self, monomial: Monomial) -> Any:
         return prod((self.symbol(name) ** power for name, power in monomial), start=self.element(1))

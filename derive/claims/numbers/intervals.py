@@ -27,7 +27,7 @@ def _of_tangent(field: Any, name: str, monomial: Monomial) -> None:
     if max(abs(low), abs(high)) < field.steps * sympy.pi:
         ends = [_vanishing_at(end, field.steps) for end in (low, high) if end]
         known = [end for end in ends if end is not None]
-        for reached in (field.ring.closed, field.ring.limits):
+        for reached in (field.ring.closed, field.ring.limits, field.ring.endless):
             reached |= {name} if monomial[0][0] in reached else set()
         field.ring.restrict(name, *(sympy.tan(end / (2 * field.steps)) for end in (low, high)), known)
 
@@ -46,6 +46,11 @@ def _of_root(field: Any, name: str, square: Any) -> None:
     _close_unless_apart(field, name, square)
 
 
+def _of_power(field: Any, name: str, factor: Any) -> None:
+    field.ring.restrict(name, sympy.Integer(0), sympy.oo)
+    _close_unless_apart(field, name, factor)
+
+
 def _of_angle(field: Any, name: str, y: Any) -> None:
     """Set the interval of the angle of a point (x, y), which is above the axis if y is positive."""
     if field.is_positive(y):
@@ -61,6 +66,7 @@ def _close_unless_apart(field: Any, name: str, number: Any) -> None:
 
 INTERVALS: Mapping[str, Callable[[Any, str, Any], None]] = {
     "tangent": _of_tangent, "exponential": _of_exponential, "root": _of_root, "angle": _of_angle,
+    "power": _of_power,
 }  # fmt: skip
 """Functions that set the interval of a generator, by what it stands for."""
 

@@ -8,12 +8,10 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from enum import Enum, auto
 from fractions import Fraction
 from typing import Any
 
 from ...algebra import Dual, Quaternion, Tensor, Vector
-from ...algebra.first_principles import tensor_by_sandwich as rotation
 from ...algebra.matrix import shaped
 from .balls import Balls, precision
 from .fields import Field
@@ -149,34 +147,9 @@ KINDS: dict[str, Kind] = {
 KINDS |= {f"constant {name}": replace(kind, constant=True) for name, kind in KINDS.items() if not kind.still}
 
 
-def exact(kind: Kind) -> Callable[[Any, str], Any]:
-    """Return the function that builds the value of a letter, by its name, from generic numbers of an exact field."""
-
-    def value(generic: Any, name: str) -> Any:
-        first, still = [1] * kind.projective, kind.constant or kind.spread == "integer"
-        numbers = [generic.number(name, i, constant=still) for i in range(kind.size - len(first))]
-        numbers = numbers if kind.dual else list(map(generic.real, numbers))
-        return kind.build([*first, *([numbers[0] ** 2] if kind.spread == "positive" else numbers)])
-
-    return value
-
-
 def special(kind: Kind) -> dict[str, Numbers]:
     with precision(SPECIAL_BITS):
         return dict(kind.special(Balls().pi))
-
-
-class Role(Enum):
-    """Role of a quantity in the choice of exact coordinates."""
-
-    ANGLE = auto()  # its fractions have exact sine and cosine; on branch k the generic angle is α + 2kπ
-    TURN = auto()  # displacement, given by an angle and an axis
-    VECTOR = auto()  # a frame may be chosen along it; the first vector's magnitude is the tangent of an angle
-    TENSOR = auto()  # has generic entries; no frame is chosen
-
-
-Value = Callable[[Any, str], Any]
-"""Function that returns the generic value of a symbol, given its name."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -184,12 +157,8 @@ class Quantity:
     """Row of the table."""
 
     name: str
-    size: int = 0  # number of independent numbers in a value
-    exact: Value | None = None
-    built: Value | None = None  # the same without a frame along the vectors
-    role: Role | None = None
     value: Callable[[Field], Any] | None = None  # returns the value of a constant in a field
-    apart: bool = False  # whether it separates real and dual parts; then exact coefficients are dual too
+    apart: bool = False  # whether it separates real and dual parts
     varies: bool = True  # whether a symbol without a definition is free
 
 
@@ -199,30 +168,6 @@ BRANCH = Quantity("branch")
 """Branch k = 0, 1 … n − 1."""
 SIGN = Quantity("sign")
 """Sign ±, equal on both sides of an equation."""
-
-FRAMED: dict[str, tuple[Role | None, Value]] = {
-    "real angle": (Role.ANGLE, lambda g, name: g.real(g.angle(name))),
-    "angle": (Role.ANGLE, lambda g, name: g.angle(name)),
-    "scale": (None, lambda g, name: g.number(name, at=g.every and g.every.scale)),
-    "real vector": (Role.VECTOR, lambda g, name: g.vector(name).map(g.real)),
-    "dual vector": (Role.VECTOR, lambda g, name: g.vector(name)),
-    "unit vector": (None, lambda g, name: g.unit(name)),
-    "quaternion": (Role.VECTOR, lambda g, name: Quaternion(g.number(name, 3), g.vector(name))),
-    "unit quaternion": (Role.TURN, lambda g, name: g.turn(name)),
-    "rotation": (Role.TURN, lambda g, name: rotation(g.turn(name)).map(g.real)),
-    "orthogonal tensor": (Role.TURN, lambda g, name: rotation(g.turn(name))),
-}
-"""Roles and generic values in a frame, or with exact sines; values of other kinds are built from generic numbers."""
-
-def _row(name: str, kind: Kind) -> Quantity:
-    """Return the row of a kind; a constant one that is no angle is built without a frame."""
-    plain, built = name.removeprefix("constant "), exact(kind)
-    role, framed = FRAMED.get(plain, (Role.TENSOR if kind.size > 1 else None, built))
-    if kind.constant and role is not Role.ANGLE:
-        framed = built
-    apart = not kind.dual and name != "rotation"  # statements about rotations hold for dual ones too
-    return Quantity(name, kind.size - kind.projective, framed, built, role, apart=apart)
-
 
 _DEFINED = (Quantity("function"), Quantity("function of parts", apart=True))
 """Quantities that need a definition."""
@@ -237,7 +182,7 @@ _CONSTANT = (
 )
 """Constants; an index is bound by its operator."""
 
-_WITH_COORDINATES = (_row(name, kind) for name, kind in KINDS.items())
+_WITH_COORDINATES = (Quantity(name, apart=not kind.dual and name != "rotation") for name, kind in KINDS.items())
 QUANTITIES: dict[str, Quantity] = {
     row.name: row for row in (ORDER, BRANCH, SIGN, *_WITH_COORDINATES, *_DEFINED, *_CONSTANT)
 }

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence, Set
 from fractions import Fraction
 from math import prod
 from typing import Any
@@ -25,7 +25,7 @@ class Signed(RationalFunctions):
     """Rational functions of generators in intervals; only numbers of one sign there have a sign.
 
     Intervals are open, but for names in `closed`: their ends count where a number must not be 0. Those of names in
-    `limits` count if asked for.
+    `limits` count if asked for. The upper end never counts for names in `endless`.
     """
 
     def __init__(
@@ -36,6 +36,7 @@ class Signed(RationalFunctions):
         self.ranges: dict[str, tuple[Bound, Bound]] = {}
         self.closed = set(closed)
         self.limits: set[str] = set()
+        self.endless: set[str] = set()
         self.positive = [False] * len(self.names)
         self._known: dict[tuple[str, bool, bool], bool] = {}  # definite polynomials by their text
         self._ends: dict[str, Any] = {}
@@ -73,7 +74,7 @@ class Signed(RationalFunctions):
             self._known[key] = self._is_definite(factor, strict, self.closed | self.limits if limits else self.closed)
         return self._known[key]
 
-    def _is_definite(self, factor: Any, strict: bool, closed: Collection[str]) -> bool:
+    def _is_definite(self, factor: Any, strict: bool, closed: Set[str]) -> bool:
         terms = self.library.terms(factor)
         used = {i for powers in terms for i, power in enumerate(powers) if power}
         positive = self.positive
@@ -88,19 +89,19 @@ class Signed(RationalFunctions):
         return _is_definite_form(terms, sorted(used), strict) or self._is_definite_on_box(
             factor, sorted(used), strict, closed)
 
-    def _is_definite_on_box(self, factor: Any, used: Sequence[int], strict: bool, closed: Collection[str]) -> bool:
+    def _is_definite_on_box(self, factor: Any, used: Sequence[int], strict: bool, closed: Set[str]) -> bool:
         """Return whether a polynomial has one sign, that at the reference point, on the box of its intervals."""
         sign = 1 if super().value(factor) > 0 else -1
         terms = {tuple(powers[i] for i in used): sign * c for powers, c in self.library.terms(factor).items()}
         return is_positive(terms, [self._bounds(self.names[i], closed) for i in used], strict)
 
-    def _bounds(self, name: str, closed: Collection[str]) -> Interval:
+    def _bounds(self, name: str, closed: Set[str]) -> Interval:
         """Return rational bounds of a generator, a little outside its interval if this has irrational ends."""
         ends = _rational(*self.ranges.get(name, (-sympy.oo, sympy.oo)), -MARGIN)
         low, high = (None if end is None else Fraction(int(end.p), int(end.q)) for end in ends)
-        return Interval(low, high, (name in closed,) * 2)
+        return Interval(low, high, (name in closed, name in closed - self.endless))
 
-    def _is_apart(self, i: int, closed: Collection[str]) -> bool:
+    def _is_apart(self, i: int, closed: Set[str]) -> bool:
         """Return whether a generator is never 0, as it is positive."""
         name = self.names[i]
         return self.positive[i] and (name not in closed or bool(self.ranges[name][0] > 0))
@@ -109,11 +110,12 @@ class Signed(RationalFunctions):
         """Return whether a polynomial in one generator has no root in its interval, by Sturm's theorem."""
         x, (low, high) = sympy.Symbol("x"), self.ranges.get(name, (-sympy.oo, sympy.oo))
         a = sympy.Poly({(k,): sympy.Rational(c.numerator, c.denominator) for k, c in terms.items()}, x)
-        for end in () if ends else (low, high):
-            while end.is_Rational and a.degree() > 0 and a.rem(sympy.Poly(x - end, x)).is_zero:
+        above = ends and name not in self.endless
+        for end, counts in ((low, ends), (high, above)):
+            while not counts and end.is_Rational and a.degree() > 0 and a.rem(sympy.Poly(x - end, x)).is_zero:
                 a = a.quo(sympy.Poly(x - end, x))
         at_ends = a.gcd(prod(self._ends.get(name, ()), start=sympy.Poly(1, x)))
-        if ends and at_ends.degree() > 0:
+        if above and at_ends.degree() > 0:
             return False
         while at_ends.degree() > 0 and (shared := a.gcd(at_ends)).degree() > 0:
             a = a.quo(shared)

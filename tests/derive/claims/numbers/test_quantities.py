@@ -1,4 +1,4 @@
-"""Tables of quantities and kinds: values at points, special values, and generic values in an exact field."""
+"""Tables of quantities and kinds: values at points, and special values."""
 
 from __future__ import annotations
 
@@ -7,17 +7,13 @@ from itertools import product
 
 import pytest
 
-from derive.algebra import Dual, Quaternion, Structure, Tensor, Vector, dual_part, real_part
+from derive.algebra import Dual, Quaternion, Tensor, Vector, real_part
 from derive.claims.deciding.claim import Claim, Place
 from derive.claims.equation import equation
 from derive.claims.language.operator_table import equal
 from derive.claims.language.printed import Symbol
 from derive.claims.numbers.balls import Balls, precision
-from derive.claims.numbers.generic import Generic
 from derive.claims.numbers.kinds import KINDS, QUANTITIES, special, sphere
-
-EXACT = [quantity for quantity in QUANTITIES.values() if quantity.exact is not None]
-IN_PYTHON = [name for name, kind in KINDS.items() if QUANTITIES[name].exact and not kind.constant]
 
 
 def at_special(name: str, label: str):
@@ -25,26 +21,6 @@ def at_special(name: str, label: str):
     letter = Symbol("a", name)
     claim = Claim(equation("1", equal(letter, letter)), equal(letter, letter))
     return claim.value(letter, Place("", {letter: special(KINDS[name])[label]}))
-
-
-@pytest.mark.parametrize("quantity", EXACT, ids=lambda quantity: quantity.name)
-@pytest.mark.parametrize("dual", [False, True])
-def test_generic_value_is_of_the_type_of_values_at_points(quantity, dual: bool) -> None:
-    symbol = Symbol("a", quantity.name)
-    value = Generic([symbol], dual, moving=False).values[symbol]
-    built = KINDS[quantity.name].build([Fraction(1, k) for k in range(1, KINDS[quantity.name].size + 1)])
-    assert all(hasattr(value, part) == hasattr(built, part) for part in ("norm2", "dot", "rows"))
-
-
-@pytest.mark.parametrize("name", [name for name, kind in KINDS.items() if kind.dual])
-def test_generic_values_of_dual_kinds_are_dual_without_a_frame(name: str) -> None:
-    symbol = Symbol("a", name)
-    value = Generic([symbol], True, moving=0, framed=False).values[symbol]
-    assert any(dual_part(c) != 0 for c in (value if isinstance(value, Structure) else [value]))
-
-
-def test_every_quantity_with_a_generic_value_has_coordinates() -> None:
-    assert {quantity.name for quantity in EXACT} == set(KINDS)
 
 
 # ---- special values --------------------------------------------------------------------------------------------------
@@ -91,13 +67,6 @@ def test_quantities_with_separate_real_and_dual_parts() -> None:
     apart = {quantity.name for quantity in QUANTITIES.values() if quantity.apart}
     real = {name for name, kind in KINDS.items() if not kind.dual} - {"rotation"}
     assert apart == {*real, "dual unit", "function of parts"}
-
-
-def test_exact_values_have_the_declared_number_of_symbols() -> None:
-    for quantity in EXACT:
-        point = Generic([Symbol("a", quantity.name)], dual=False, moving=False, framed=False)
-        declared = {name for name in point.field.functions.names if name[:1] == "a" and name[1:].isdecimal()}
-        assert len(declared) == quantity.size
 
 
 # ---- builders of values ----------------------------------------------------------------------------------------------

@@ -1,0 +1,105 @@
+"""Equations of a stated domain, solved for letters: a claim about the letters that are left says as much."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import replace
+from functools import reduce
+
+from ..language.matrices import zeros
+from ..language.operations import written
+from ..language.operator_table import Du, Re, both, epsilon, equal
+from ..language.printed import Number, Symbol, Term, symbols
+from ..numbers.kinds import KINDS
+from .claim import Claim, kind
+
+PARTS = {
+    "dual number": "real", "angle": "real angle", "dual vector": "real vector", "tensor": "tensor 3x3",
+    "quaternion": "real quaternion of a letter",
+}  # fmt: skip
+"""Kinds of the real and dual parts of letters, where both are free."""
+
+
+def conjuncts(domain: Term) -> list[Term]:
+    """Return the relations that a domain joins by "and"."""
+    return [part for one in domain.arguments for part in conjuncts(one)] if domain.operator is both else [domain]
+
+
+def with_solved_equations(claim: Claim, *further: Term) -> tuple[Claim, tuple[Term, ...]]:
+    """Return a claim and further terms with expressions for the letters for which its domain is solved.
+
+    A dual letter without real part is ε times a real one; one without dual part is real. One whose parts alone occur is
+    two real letters.
+    """
+    domain = [] if claim.entry.claimed is None else conjuncts(claim.entry.claimed)
+    for part in domain:
+        if (values := next(_solutions(claim, part), None)) is not None:
+            rest = [one.xreplace(values) for one in domain if one is not part]
+            entry = replace(claim.entry, claimed=reduce(both, rest) if rest else None)
+            solved = replace(claim, entry=entry, statement=claim.statement.xreplace(values))
+            return with_solved_equations(solved, *(one.xreplace(values) for one in further))
+    parts = {part(a): _part(part, a) for a in claim.coordinates if a.quantity.name in PARTS for part in (Re, Du)}
+    taken = {a for part in (claim.statement, *domain, *further) for a in symbols(part.xreplace(parts))}
+    parts = {part: letter for part, letter in parts.items() if part.arguments[0] not in taken}
+    entry = replace(claim.entry, claimed=reduce(both, [one.xreplace(parts) for one in domain]) if domain else None)
+    apart = replace(claim, entry=entry, statement=claim.statement.xreplace(parts))
+    return apart, tuple(one.xreplace(parts) for one in further)
+
+
+def _solutions(claim: Claim, part: Term) -> Iterator[Mapping[Term, Term]]:
+    """Yield what an equation puts in the place of a letter, and of its parts."""
+    if part.operator.name != "equal" or len(part.arguments) != 2:
+        return
+    for side, value in (part.arguments, part.arguments[::-1]):
+        is_part = side.operator in (Re, Du) and isinstance(side.arguments[0], Symbol)
+        letter = side.arguments[0] if is_part else side
+        if letter not in claim.coordinates or kind(letter).free or kind(letter).spread:
+            continue
+        name = letter.quantity.name
+        if is_part and name in PARTS and value == Number(0):
+            left, zero = _part(Du if side.operator is Re else Re, letter), zero_like(letter)
+            if side.operator is Re:
+                yield {Re(letter): zero, Du(letter): left, letter: epsilon * left}
+            else:
+                yield {Re(letter): left, Du(letter): zero, letter: left}
+        value = zero_like(letter) if value in (Number(0), Number(0) * letter) else value
+        if not is_part and letter not in symbols(value):
+            yield {letter: value}
+
+
+def _part(operator: Callable[[Term], Term], letter: Symbol) -> Symbol:
+    """Return the real letter for the real or dual part of a letter."""
+    return Symbol(written(operator(letter)), PARTS[letter.quantity.name])
+
+
+def zero_like(letter: Symbol) -> Term:
+    """Return the zero of a letter's kind; 0 for a kind without a matrix, which 0 equals too."""
+    rows = {3: (3, 1), 4: (3, 1), 6: (6, 1), 9: (3, 3)}.get(kind(letter).size)
+    zero: Term = Number(0) if rows is None else zeros(*map(Number, rows))
+    return Number(0) + zero if kind(letter).size == 4 else zero
+
+
+def with_vectors_for_lengths(domain: Term) -> Term:
+    """Return a domain with ``v == 0`` for ``norm(v) == 0`` and ``dot(v, v) == 0``, which have no derivative there.
+
+    Likewise ``re(a) == 0`` stands for ``re(norm(a)) == 0``.
+    """
+    sides = (part.arguments for part in conjuncts(domain) if part.operator.name == "equal")
+    known = {equal(a, 0): equal(b, 0) for a, *rest in sides if rest == [Number(0)] and (b := _base(a)) is not None}
+    plain: Term = domain.xreplace(known)
+    return plain
+
+
+def _base(part: Term) -> Term | None:
+    """Return the vector of which a term is the magnitude or its square, if both are 0 together."""
+    name, arguments = part.operator.name, part.arguments
+    if part.operator is Re:
+        inner = arguments[0]
+        return Re(inner.arguments[0]) if inner.operator.name == "norm" and _is_letter(inner.arguments[0]) else None
+    base = arguments[0] if name == "norm" or (name == "dot" and arguments[0] == arguments[1]) else None
+    real = base is not None and (base.operator in (Re, Du) or (_is_letter(base) and not kind(base).dual))
+    return base if real else None
+
+
+def _is_letter(part: Term) -> bool:
+    return isinstance(part, Symbol) and part.quantity.name in KINDS
