@@ -28,8 +28,8 @@ ORDER = {
         "report",
     ),
     "derive.claims.deciding": (
-        "terms", "claim", "solved", "constrained", "singular", "zeros", "polar", "identity", "proof", "equal_sides", "uphill",
-        "places", "conditions", "partial", "existence", "ordering", "regions", "changes", "counterexample", "split",
+        "terms", "claim", "frames", "solved", "constrained", "singular", "zeros", "polar", "identity", "proof", "equal_sides",
+        "uphill", "places", "conditions", "partial", "existence", "ordering", "regions", "changes", "counterexample", "split",
         "finding",
     ),
     "derive.codegen": (

@@ -270,7 +270,7 @@ class Signs:
         )  # fmt: skip
 
     def is_above(self, part: Term, strict: bool = False) -> bool:
-        """Return whether a term is a number that is proved not to be negative, or to be positive, also by its form.
+        """Return whether a term is a number that is proved not to be negative, or to stay above 0, also by its form.
 
         The numbers of a large sum may be too large to be evaluated, such as the square of a magnitude in it.
         """
@@ -283,7 +283,7 @@ class Signs:
         if not strict and (name == "norm" or (name == "dot" and arguments[0] == arguments[1])):
             return True
         with suppress(*ABSENT):
-            return self.is_positive(self.number(part, innermost), strict)
+            return self.is_positive(self.number(part, innermost) - (MARGIN if strict else 0))
         return False
 
     def _lone(self, a: Element, name: str) -> Element:
