@@ -5,13 +5,24 @@ All other vectors turn with R, so that a claim is true for each R if it is true 
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
+from enum import Enum, auto
 
+from ..language.matrices import distance
 from ..language.operator_table import Re
-from ..language.printed import Number, Symbol, Term, Trait, symbols, walk, with_trait
+from ..language.printed import Symbol, Term, Trait, symbols, walk
+from ..numbers.kinds import KINDS
 from .claim import Claim, kind
-from .terms import is_frame_free
+from .terms import RELATIONS, is_frame_free
+
+
+class Turn(Enum):
+    """Rotation with which vectors turn; two vectors of one formula turn with the same one."""
+
+    FRAME = auto()
+    REAL_PART = auto()
+
 
 INVARIANT = frozenset(("norm", "dot", "trace", "det", "distance"))
 """Operators whose numbers are the same in all frames, with their dual parts."""
@@ -38,22 +49,23 @@ def _is_axis(node: Term, frame: Symbol) -> bool:
 
 
 def _all_turn(frame: Symbol, parts: Sequence[Term]) -> bool:
-    """Return whether all vectors turn with a frame, of which nothing but axes occurs.
-
-    Real and dual parts of vectors do not, if the frame is dual, unless its real part occurs alone.
-    """
-    axis = Symbol(f"axis of {frame.name}", "real vector")
+    """Return whether all vectors turn with a frame, of which nothing but axes occurs."""
+    axis = Symbol(f"axis of {frame.name}", "dual vector")
     shown = [part.xreplace({node: axis for node in walk(part) if _is_axis(node, frame)}) for part in parts]
     if not is_frame_free(*shown) or any(frame in symbols(part) for part in shown):
         return False
-    rest = [part.xreplace({node: Number(0) for node in walk(part) if node.operator is Re}) for part in shown]
-    is_real = not kind(frame).dual or not any(axis in symbols(part) for part in rest)
-    return is_real or not any(axis in _vectors(node) for node in with_trait(Trait.APART, *shown))
+    return not kind(frame).dual or not any(map(_turning, shown))
 
 
-def _vectors(node: Term) -> Iterator[Term]:
-    """Yield the parts of a term that are not within a number that is the same in all frames."""
-    yield node
-    if node.operator.name not in INVARIANT:
-        for part in node.arguments:
-            yield from _vectors(part)
+def _turning(node: Term) -> set[Turn]:
+    """Return by what the vectors in a term turn, if they are not within a number that is the same in all frames."""
+    if isinstance(node, Symbol):
+        row = KINDS.get(node.quantity.name)
+        return set() if row is None or row.size == 1 else {Turn.FRAME if row.dual else Turn.REAL_PART}
+    found = set[Turn]().union(*map(_turning, node.arguments))
+    if node.operator is Re and found == {Turn.FRAME}:
+        found = {Turn.REAL_PART}
+    is_apart = Trait.APART in node.operator.traits and node.operator is not distance
+    if len(found) > 1 or (is_apart and Turn.FRAME in found):
+        return {*Turn}
+    return set() if node.operator.name in INVARIANT | RELATIONS and len(found) < 2 else found
