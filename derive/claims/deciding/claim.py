@@ -15,7 +15,7 @@ from ...algebra.element import NotExactError
 from ..equation import Entry
 from ..language.environment import Env
 from ..language.matrices import either
-from ..language.operator_table import both, equal, infinity, negated
+from ..language.operator_table import Re, both, epsilon, equal, infinity, negated
 from ..language.printed import Symbol, Term, Trait, rate_depth, symbols, walk, with_trait
 from ..numbers.balls import PRECISIONS, Ball, Balls, BlurredError, arb, precision
 from ..numbers.fields import Constants, Field
@@ -157,6 +157,8 @@ class Claim:
         values: dict[Symbol, Any] = {a: value for a, value in place.at.items() if a not in self.coordinates}
         for letter in self.coordinates:
             values[letter] = self.value(letter, place, field)
+        if self.flat:
+            values[epsilon] = 0
         return Env(field or Balls(moving=bool(self.depth)), values, self.entry.definitions, self.dual, self.depth)
 
     @cached_property
@@ -251,8 +253,8 @@ class Claim:
     def of_number(self, part: Term) -> Claim:
         """Return the claim about the current real value of a part, if dual parts and rates do not matter for it."""
         alone = self.within().with_statement(part)
-        matters = alone.apart or with_trait(Trait.RATE, part) or self.entry.where
-        return alone if matters else replace(alone, flat=True)
+        taken = [node for node in with_trait(Trait.APART, part) if node.operator is not Re]
+        return alone if taken or with_trait(Trait.RATE, part) or self.entry.where else replace(alone, flat=True)
 
     def within(self, *terms: Term) -> Claim:
         """Return the claim on the part of its stated domain where some terms are true, without a condition."""

@@ -31,7 +31,7 @@ from .frames import with_frames_at_rest
 from .identity import ABSENT, STRICT, difference, not_negative, setting, with_free_product
 from .partial import OPEN, is_invertible, is_named, partial_operations, real
 from .singular import size
-from .solved import conjuncts, with_solved_equations
+from .solved import with_solved_equations
 from .terms import RELATIONS, is_dual, is_frame_free, takes_parts
 
 MARGIN = Fraction(1, 1000)
@@ -85,8 +85,6 @@ class Signs:
                 gap = difference(part)
                 self.named.extend([] if is_dual(gap) or self._is_matrix(gap) else [real(gap)])
                 self._keep_from_0(self._not_0(gap))
-            elif name == "negated" and (pairs := _equal_pairs(arguments[0])):
-                self._keep_from_0(sum((self._not_0(a - b) ** 2 for a, b in pairs), self.field.element(0)))
             elif name == "equal" and part.arguments[1] != Number(0) and isinstance(part.arguments[1], Number):
                 self.apart.append(self.number(part.arguments[0]))
             elif name in STRICT:
@@ -123,7 +121,7 @@ class Signs:
 
     def is_nonzero(self, a: Element) -> bool:
         """Return whether a number is proved to be 0 nowhere."""
-        if a in self.apart or -a in self.apart:
+        if any(b in self.apart or any(self.is_positive(b - c * c, depth=0) for c in self.apart) for b in (a, -a)):
             return True
         return bool(a) and self._is_apart_at_infinity(a) and (all(map(self._is_apart, self.ring.factors(a))) or (
             not self.free and any(self.field.is_positive(b - MARGIN) for b in (a, -a))) or self._is_excluded(a))
@@ -214,7 +212,7 @@ class Signs:
 
     def _is_apart(self, factor: Any) -> bool:
         """Return whether a factor is 0 nowhere; that of several letters also in limits of polar forms."""
-        if factor in (self.ring.library.one, *self.nonzero) or self._is_power_apart(factor):
+        if factor in (self.ring.library.one, *self.nonzero) or self._is_function_apart(factor):
             return True
         if any(factor == self.field.product(monomial).numerator and self.field.symbol(name).numerator in self.nonzero
                for (what, monomial), name in self.field.meanings.items() if what == "tangent"):  # fmt: skip
@@ -250,10 +248,16 @@ class Signs:
 
         return {*of(a, frozenset())} - {"pi"}
 
-    def _is_power_apart(self, factor: Any) -> bool:
-        """Return whether a factor is a root, or a power with an integer letter, of a number that is 0 nowhere."""
-        rows = (*self.field.extensions, *self.field.powers.values())
+    def _is_function_apart(self, factor: Any) -> bool:
+        """Return whether a factor is 0 nowhere, since a number is not of which it is a root, a power or a tangent."""
+        rows = (*self.field.extensions, *self.field.powers.values(), *self._tangents())
         return any(self.is_nonzero(base) for base, name, *_ in rows if factor == self.field.symbol(name).numerator)
+
+    def _tangents(self) -> Iterator[tuple[Element, str]]:
+        """Yield the angles, with their tangents, for which 0 is the only angle with tangent 0."""
+        for (what, monomial), name in self.field.meanings.items():
+            if what == "tangent" and max(map(abs, interval(self.field, monomial))) < 2 * self.field.steps * sympy.pi:
+                yield self.field.product(monomial), name
 
     def is_positive(self, a: Element, strict: bool = False, depth: int = DEPTH) -> bool:
         """Return whether a number is proved not to be negative, or to be positive if `strict`.
@@ -315,12 +319,6 @@ class Signs:
             if any(self.is_positive(a - ratio * known, strict, 0) for ratio in ratios if ratio > 0):
                 return True
         return False
-
-
-def _equal_pairs(statement: Term) -> list[tuple[Term, ...]]:
-    """Return the sides of equations of pairs that a statement joins, none if it says anything else."""
-    found = [part.arguments if part.operator.name == "equal" else () for part in conjuncts(statement)]
-    return found if all(len(pair) == 2 for pair in found) else []
 
 
 def signs_of(claim: Claim, condition: Sequence[Term], parts: Sequence[Term]) -> list[Signs]:

@@ -118,7 +118,7 @@ def decided(claim: Claim, early: Callable[[Finding], None] = lambda finding: Non
 def _found(claim: Claim, early: Callable[[Finding], None]) -> Finding:
     """Return the decision of a claim, with the condition under which it has a value and is true.
 
-    A claim without branches that is proved, with both sides, needs no points at zeros of its singular parts.
+    A claim without branches that is proved, with both sides, needs one point, and none at zeros of its singular parts.
     """
     choosing = branched(*claim.parts) and ORDERED.isdisjoint(operators(claim.statement))
 
@@ -127,10 +127,10 @@ def _found(claim: Claim, early: Callable[[Finding], None]) -> Finding:
 
     probe = Probe(claim)
     at = Outcome().tried(claim, probe.first(), enough)
-    settled = not (at.false or at.undefined or orders_of(claim)) and at.points >= POINTS_MIN
+    settled = bool(at.true) and not (at.false or at.undefined or orders_of(claim))
     tried = settled and JUMPS.isdisjoint(operators(*claim.parts))
     first = Finding(Status.HOLDS, f"true at {at.points} points", at.points, true=tuple(at.true))
-    if tried:
+    if tried and at.points >= POINTS_MIN:
         early(_unproved(first, ""))
     how = _proof(claim) if tried else None
     if how is not None and not _without_value(claim):

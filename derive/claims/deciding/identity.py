@@ -19,6 +19,7 @@ from ..language.matrices import inverse
 from ..language.operations import written
 from ..language.operator_table import Du, over
 from ..language.printed import Number, Symbol, Term, Trait, symbols, walk, with_trait
+from ..language.values import coefficients
 from ..numbers.fields import innermost
 from ..numbers.generators import Generators
 from ..numbers.kinds import BRANCH, ORDER
@@ -164,6 +165,31 @@ def _turned(statement: Term) -> dict[Symbol, Term]:
             if isinstance(a, Symbol) and a.quantity.name in ANGLES and "π" in names and names <= WHOLE:
                 found.setdefault(a, b if node.operator.name == "plus" else -b)
     return found
+
+
+def contradicts_itself(claim: Claim) -> bool:
+    """Return whether the domain, where its equations hold, says that 0 is not 0 or that another number is."""
+    solved, _ = with_solved_equations(claim)
+    parts = [] if solved.entry.claimed is None else conjuncts(solved.entry.claimed)
+    if claim.entry.claimed in (None, solved.entry.claimed) or not parts:
+        return False
+    with suppress(*ABSENT):
+        env = setting(solved.on(None), Generators, solved.choices[0])
+        return any(_is_false(env, part) for part in parts if env.dual or not takes_parts(part))
+    return False
+
+
+def _is_false(env: Env, part: Term) -> bool:
+    """Return whether a relation says that 0 is not 0, or that another rational number is."""
+    field: Any = env.field
+    with suppress(*ABSENT):
+        if part.operator.name in ("unlike", "nonzero"):
+            return not env.value(part)
+        if part.operator.name == "equal":
+            gaps = [field.element(innermost(c)) for c in coefficients(env.value(difference(part)))]
+            lowest = [field.ring.fraction(gap.numerator, gap.denominator, lowest_terms=True) for gap in gaps]
+            return any(gap and not field.used(gap) for gap in lowest)
+    return False
 
 
 def whole_steps(statement: Term) -> int:

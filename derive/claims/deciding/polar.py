@@ -19,6 +19,7 @@ from ...algebra.element import NotExactError
 from ...algebra.first_principles import tensor_by_sandwich
 from ...algebra.matrix import shaped
 from ..language.matrices import entry, stacked
+from ..language.operator_table import Re, norm
 from ..language.printed import Number, Symbol, Term, symbols
 from ..numbers.generators import Generators
 from ..numbers.kinds import KINDS, ORDER, jet, sphere
@@ -205,12 +206,20 @@ def _bound(part: Term) -> Iterator[tuple[str, Bound, Bound]]:
     below = name in ("less", "at most")
     a, b = part.arguments
     for inner, outer, is_upper in ((a, b, below), (b, a, not below)):
-        end = _constant(outer)
+        end, inner = _constant(outer), _whole(inner)
         subject = _of_length(inner.arguments[0]) if inner.arguments and inner.operator.name == "norm" else inner
         if end is not None and isinstance(subject, Symbol):
             least = -sympy.oo if subject is inner else -end
             if is_upper or subject is inner:  # a magnitude above a bound leaves two intervals
                 yield (subject.name, least, end) if is_upper else (subject.name, end, sympy.oo)
+
+
+def _whole(side: Term) -> Term:
+    """Return a side without the operator for the real part, about which an order relation is."""
+    name, arguments = side.operator.name, side.arguments
+    if name == "norm":
+        return norm(_whole(arguments[0]))
+    return _whole(arguments[0]) if side.operator is Re else side
 
 
 def _of_length(subject: Term) -> Term:

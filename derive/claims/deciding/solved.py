@@ -8,7 +8,7 @@ from functools import reduce
 
 from ..language.matrices import zeros
 from ..language.operations import written
-from ..language.operator_table import Du, Re, both, epsilon, equal
+from ..language.operator_table import Du, Re, both, dot, dyad, epsilon, equal, identity, skew, trace, vect
 from ..language.printed import Number, Symbol, Term, symbols
 from ..numbers.kinds import KINDS
 from .claim import Claim, kind
@@ -29,7 +29,7 @@ def with_solved_equations(claim: Claim, *further: Term) -> tuple[Claim, tuple[Te
     """Return a claim and further terms with expressions for the letters for which its domain is solved.
 
     A dual letter without real part is ε times a real one; one without dual part is real. One whose parts alone occur is
-    two real letters.
+    two real letters. The trace of a rotation tells the identity and half turns.
     """
     domain = [] if claim.entry.claimed is None else conjuncts(claim.entry.claimed)
     for part in domain:
@@ -50,9 +50,14 @@ def _solutions(claim: Claim, part: Term) -> Iterator[Mapping[Term, Term]]:
     """Yield what an equation puts in the place of a letter, and of its parts."""
     if part.operator.name != "equal" or len(part.arguments) != 2:
         return
-    for side, value in (part.arguments, part.arguments[::-1]):
+    a, b = part.arguments
+    if a.operator.name in ("plus", "minus") and isinstance(a.arguments[1], Number) and b == Number(0):
+        a, b = a.arguments[0], -a.arguments[1] if a.operator.name == "plus" else a.arguments[1]
+    for side, value in ((a, b), (b, a)):
         is_part = side.operator in (Re, Du) and isinstance(side.arguments[0], Symbol)
         letter = side.arguments[0] if is_part else side
+        if (turned := _rotated(side, trace)) in claim.coordinates:
+            yield from (values for end, values in _rotations(turned) if value == end)
         if letter not in claim.coordinates or kind(letter).free or kind(letter).spread:
             continue
         name = letter.quantity.name
@@ -65,6 +70,40 @@ def _solutions(claim: Claim, part: Term) -> Iterator[Mapping[Term, Term]]:
         value = zero_like(letter) if value in (Number(0), Number(0) * letter) else value
         if not is_part and letter not in symbols(value):
             yield {letter: value}
+
+
+def symmetric(premise: Term) -> list[Term]:
+    """Return the equations for the trace of a rotation, one of which is true where its vector is 0."""
+    if premise.operator.name != "equal" or premise.arguments[1:] != (Number(0),):
+        return []
+    side = premise.arguments[0]
+    letter = _rotated(side, vect)
+    real = letter is not side and (not kind(letter).dual or Re in (side.operator, side.arguments[0].operator))
+    return [equal(Re(trace(letter)), end) for end in (3, -Number(1))] if real else []
+
+
+def _rotated(side: Term, operator: Callable[[Term], Term]) -> Term:
+    """Return the letter of a rotation of which, or of whose real part, a side is a function; else the side."""
+    inner = _whole(side)
+    letter = _whole(inner.arguments[0]) if inner.operator is operator else side
+    return letter if isinstance(letter, Symbol) and letter.quantity.name in ("rotation", "orthogonal tensor") else side
+
+
+def _whole(side: Term) -> Term:
+    return _whole(side.arguments[0]) if side.operator is Re else side
+
+
+def _rotations(letter: Symbol) -> Iterator[tuple[Term, Mapping[Term, Term]]]:
+    """Yield the greatest and the least trace of a rotation, with its value there and that of its vector."""
+    axis = Symbol(f"axis of {letter.name}", "real unit vector")
+    moment = Symbol(f"moment of {letter.name}", "real vector")
+    dual, none = kind(letter).dual, zeros(Number(3), Number(1))
+    shift = identity + epsilon * skew(moment) if dual else identity
+    for end, turned, slope in (
+        (Number(3), shift, moment), (-Number(1), shift * (2 * dyad(axis, axis) - identity), -dot(axis, moment) * axis),
+    ):  # fmt: skip
+        parts = {Re(vect(letter)): none, Du(vect(letter)): slope, vect(letter): epsilon * slope}
+        yield end, {**(parts if dual else {vect(letter): none}), letter: turned}
 
 
 def _part(operator: Callable[[Term], Term], letter: Symbol) -> Symbol:

@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from functools import reduce
 
-from ..language.matrices import distance, unlike
+from ..language.matrices import distance, either, unlike
 from ..language.operator_table import Re, both, cross, equal, every, implies, negated
 from ..language.printed import Apply, Number, Term, Trait, walk
 from .claim import Claim
-from .solved import conjuncts
+from .identity import contradicts_itself
+from .solved import conjuncts, symmetric
 
 CASES = "cases"
 """First letters of the names of operators whose value depends on conditions."""
@@ -36,7 +37,38 @@ def split(claim: Claim) -> Iterator[Claim]:
         for given in (unlike(normal, 0), equal(normal, 0)):
             yield from split(claim.within(given))
     else:
-        yield claim
+        domain = [] if claim.entry.claimed is None else conjuncts(claim.entry.claimed)
+        many = next((part for part in domain if _alternatives(part)), None)
+        for alternative in [] if many is None else _alternatives(many):
+            yield from split(claim.on(reduce(both, [alternative if part is many else part for part in domain])))
+        if many is None and not _is_empty(domain) and not contradicts_itself(claim):
+            yield claim
+
+
+def _alternatives(premise: Term) -> list[Term]:
+    """Return the premises of which one or the other says as much as a premise."""
+    if premise.operator is either:
+        return list(map(affirmed, premise.arguments))
+    if premise.operator is implies:
+        first, rest = premise.arguments
+    elif premise.operator is negated and premise.arguments[0].operator is both:
+        first, *others = premise.arguments[0].arguments
+        rest = negated(reduce(both, others))
+    else:
+        return symmetric(premise)
+    return [affirmed(negated(first)), affirmed(both(first, rest))]
+
+
+def _is_empty(parts: Sequence[Term]) -> bool:
+    """Return whether a domain says that one difference is 0, and is not 0."""
+    zeros, others = ({_gap(part) for part in parts if part.operator.name in names}
+                     for names in (("equal",), ("unlike", "nonzero")))  # fmt: skip
+    return not zeros.isdisjoint(others)
+
+
+def _gap(relation: Term) -> tuple[Term, ...]:
+    a, *rest = relation.arguments
+    return a, *(b for b in rest if b != Number(0))
 
 
 def affirmed(statement: Term) -> Term:

@@ -339,8 +339,8 @@ class Generators(Field):
     def _atan2(self, y: Any, x: Any) -> Any:
         """Return the angle of a point as a multiple of a known one, up to turns if its range is unknown."""
         y, x = self.element(y), self.element(x)
-        if not y and self.is_positive(x):
-            return y
+        if not y and (self.is_positive(x) or self.is_positive(-x)):
+            return y if self.is_positive(x) else self.pi
         for (b, a), angle in self.angles:
             if self._along(y, x, b, a):
                 return angle

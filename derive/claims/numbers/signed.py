@@ -114,12 +114,12 @@ class Signed(RationalFunctions):
         for end, counts in ((low, ends), (high, above)):
             while not counts and end.is_Rational and a.degree() > 0 and a.rem(sympy.Poly(x - end, x)).is_zero:
                 a = a.quo(sympy.Poly(x - end, x))
+        inner, outer = (_rational(low, high, margin) for margin in (MARGIN, -MARGIN))
+        if above:
+            return bool(a.count_roots(*outer) == 0)
         at_ends = a.gcd(prod(self._ends.get(name, ()), start=sympy.Poly(1, x)))
-        if above and at_ends.degree() > 0:
-            return False
         while at_ends.degree() > 0 and (shared := a.gcd(at_ends)).degree() > 0:
             a = a.quo(shared)
-        inner, outer = (_rational(low, high, margin) for margin in (MARGIN, -MARGIN))
         return bool(a.count_roots(*outer) == 0 and (at_ends.degree() < 1 or at_ends.count_roots(*inner) == 0))
 
 
