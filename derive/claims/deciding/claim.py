@@ -16,7 +16,7 @@ from ..equation import Entry
 from ..language.environment import Env
 from ..language.matrices import either
 from ..language.operator_table import Re, both, epsilon, equal, infinity, negated
-from ..language.printed import Symbol, Term, Trait, rate_depth, symbols, walk, with_trait
+from ..language.printed import Symbol, Term, Trait, distinct, rate_depth, symbols, with_trait
 from ..numbers.balls import PRECISIONS, Ball, Balls, BlurredError, arb, precision
 from ..numbers.fields import Constants, Field
 from ..numbers.kinds import BRANCH, KINDS, ORDER, SIGN, Kind, Numbers, jet
@@ -189,7 +189,7 @@ class Claim:
         number = (lambda c: c) if field else (lambda c: Ball(arb(c)))
         if row.still:
             return row.build([number(c) for c in coordinates])
-        further = iter(self.further(letter, place))
+        further = iter(() if self.flat else self.further(letter, place))
         still = row.constant or row.spread == "integer"
 
         def coefficient(value: Any) -> Any:
@@ -198,7 +198,7 @@ class Claim:
 
         def part(c: Any) -> Any:
             value = coefficient(number(c))
-            if row.dual:
+            if row.dual and not self.flat:
                 return Dual(value, coefficient(number(next(further))))
             return Dual(value, 0 * value) if self.dual and self.depth else value
 
@@ -290,4 +290,4 @@ def _alternatives(domain: Term) -> Iterator[Term]:
 
 def _is_endless(part: Term) -> bool:
     """Return whether a term has a sum without end, whose rest has no bound, so that it refutes nothing."""
-    return any(node.operator.name == "sum" and infinity in node.arguments for node in walk(part))
+    return any(node.operator.name == "sum" and infinity in node.arguments for node in distinct(part))

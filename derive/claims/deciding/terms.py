@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from ..language.operator_table import Du, Re, cos, epsilon, sin
-from ..language.printed import Apply, Number, Symbol, Term, Trait, symbols, walk, with_trait
+from ..language.printed import Apply, Number, Symbol, Term, Trait, distinct, symbols, walk, with_trait
 from ..numbers.kinds import KINDS
 
 RELATIONS = frozenset(("less", "at most", "greater", "at least", "unlike", "equal", "nonzero"))
@@ -54,7 +54,7 @@ def is_frame_free(*statements: Term) -> bool:
 
 
 def operators(*statements: Term) -> set[str]:
-    return {node.operator.name for statement in statements for node in walk(statement)}
+    return {node.operator.name for statement in statements for node in distinct(statement)}
 
 
 def bare(part: Term) -> Term:
