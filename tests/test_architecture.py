@@ -28,9 +28,9 @@ ORDER = {
         "report",
     ),
     "derive.claims.deciding": (
-        "terms", "claim", "solved", "constrained", "singular", "zeros", "polar", "identity", "proof", "equal_sides",
-        "uphill", "places", "conditions", "partial", "existence", "ordering", "regions", "changes", "counterexample",
-        "split", "finding",
+        "terms", "claim", "frames", "solved", "constrained", "singular", "zeros", "polar", "identity", "proof",
+        "equal_sides", "uphill", "places", "conditions", "partial", "existence", "ordering", "regions", "changes",
+        "counterexample", "split", "finding",
     ),
     "derive.codegen": (
         "programs", "lowering", "rows", "signatures", "validation", "package", "targets", "catalogue",
