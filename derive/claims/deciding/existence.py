@@ -20,7 +20,7 @@ from ...algebra import Quaternion, Structure, Tensor
 from ...algebra.element import Element, NotExactError
 from ...algebra.matrix import Matrix
 from ..language.environment import Env
-from ..language.operator_table import Du, epsilon, nonzero
+from ..language.operator_table import Du, Re, epsilon, nonzero
 from ..language.printed import Number, Term
 from ..numbers.fields import innermost
 from ..numbers.generators import Generators
@@ -121,10 +121,17 @@ class Signs:
 
     def is_nonzero(self, a: Element) -> bool:
         """Return whether a number is proved to be 0 nowhere."""
-        if any(b in self.apart or any(self.is_positive(b - c * c, depth=0) for c in self.apart) for b in (a, -a)):
+        if a in self.apart or -a in self.apart:
             return True
-        return bool(a) and self._is_apart_at_infinity(a) and (all(map(self._is_apart, self.ring.factors(a))) or (
+        far = bool(a) and self._is_apart_at_infinity(a) and (all(map(self._is_apart, self.ring.factors(a))) or (
             not self.free and any(self.field.is_positive(b - MARGIN) for b in (a, -a))) or self._is_excluded(a))
+        return far or (bool(a) and self._is_above_square(a))
+
+    def _is_above_square(self, a: Element) -> bool:
+        """Return whether a number is at least the square of one that is not 0, up to its sign."""
+        with suppress(NotExactError):
+            return any(self.is_positive(b - known * known, depth=0) for known in self.apart for b in (a, -a))
+        return False
 
     def _is_excluded(self, a: Element) -> bool:
         """Return whether with a number one would be 0 that is not, by the equations of the domain."""
@@ -339,7 +346,7 @@ def signs_of(claim: Claim, condition: Sequence[Term], parts: Sequence[Term]) -> 
 
 def signs_in(claim: Claim, env: Env, condition: Sequence[Term] = ()) -> Signs:
     """Return the signs in an environment over generators, with what domain and condition say."""
-    domain = [nonzero(a) for a in claim.coordinates if kind(a).invertible]
+    domain = [nonzero(Re(a)) for a in claim.coordinates if kind(a).invertible]
     domain += [] if claim.entry.claimed is None else [claim.entry.claimed]
     free = is_frame_free(*claim.parts) and not any(kind(a).projective and kind(a).size == 4 for a in claim.coordinates)
     outward = (f"{a.name}.{stem}" for a in claim.coordinates for stem in ("s", *(["1"] if kind(a).projective else [])))

@@ -66,6 +66,6 @@ def _turning(node: Term) -> set[Turn]:
     if node.operator is Re and found == {Turn.FRAME}:
         found = {Turn.REAL_PART}
     is_apart = Trait.APART in node.operator.traits and node.operator is not distance
-    if len(found) > 1 or (is_apart and Turn.FRAME in found):
+    if is_apart and Turn.FRAME in found:
         return {*Turn}
     return set() if node.operator.name in INVARIANT | RELATIONS and len(found) < 2 else found
