@@ -82,6 +82,7 @@ def test_compiled_functions_that_share_a_kernel_have_their_own_constants(package
 
 EPS = np.finfo(float).eps
 
+
 def require_equal(module: Any, kernels: ModuleType, name: str) -> None:
     row = ROTATIONS.public[name]
     given, branch = arguments(row, kernels), (1,) if row.branch else ()
