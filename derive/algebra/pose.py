@@ -7,6 +7,7 @@ vector ``a + ε p × a`` (direction, moment about the origin). All functions tak
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
@@ -140,10 +141,12 @@ def foot(line: Vector) -> Vector:
     return line.re.cross(line.du)
 
 
-def distance(a: Vector, b: Vector, library: Any = functions) -> Coefficient:
+def distance(
+    a: Vector, b: Vector, library: Any = functions, magnitude: Callable[[Coefficient], Coefficient] = abs
+) -> Coefficient:
     """Return the shortest distance between two lines that are not parallel, ``|(q − p)·(a × b)| / |a × b|``."""
     normal = a.re.cross(b.re)
-    return abs((foot(b) - foot(a)).dot(normal)) / library.sqrt(normal.dot(normal))
+    return magnitude((foot(b) - foot(a)).dot(normal)) / library.sqrt(normal.dot(normal))
 
 
 def distance_of_parallels(a: Vector, b: Vector, library: Any = functions) -> Coefficient:

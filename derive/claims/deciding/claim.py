@@ -15,8 +15,8 @@ from ...algebra.element import NotExactError
 from ..equation import Entry
 from ..language.environment import Env
 from ..language.matrices import either
-from ..language.operator_table import both, equal, infinity, negated
-from ..language.printed import Symbol, Term, Trait, rate_depth, symbols, walk, with_trait
+from ..language.operator_table import Re, both, epsilon, equal, infinity, negated
+from ..language.printed import Symbol, Term, Trait, distinct, rate_depth, symbols, walk, with_trait
 from ..numbers.balls import PRECISIONS, Ball, Balls, BlurredError, arb, precision
 from ..numbers.fields import Constants, Field
 from ..numbers.kinds import BRANCH, KINDS, ORDER, SIGN, Kind, Numbers, jet
@@ -144,13 +144,13 @@ class Claim:
 
     @cached_property
     def dual(self) -> bool:
-        dual = self.apart or bool(self.entry.where) or any(kind(letter).dual for letter in self.coordinates)
+        dual = self.apart or any(kind(letter).dual for letter in self.coordinates)
         return dual and not self.flat
 
     @cached_property
     def depth(self) -> int:
         """Highest order of a time derivative."""
-        depth = max(self.entry.moving, *map(rate_depth, self.parts))
+        depth = max(map(rate_depth, self.parts))
         if depth > RATES_MAX:
             raise RefusedError(f"rates are nested more than {RATES_MAX} deep")
         return 0 if self.flat else depth
@@ -166,7 +166,9 @@ class Claim:
         values: dict[Symbol, Any] = {a: value for a, value in place.at.items() if a not in self.coordinates}
         for letter in self.coordinates:
             values[letter] = self.value(letter, place, field)
-        return Env(field or Balls(moving=bool(self.depth)), values, self.entry.definitions, self.dual, self.depth)
+        if self.flat:
+            values[epsilon] = 0
+        return Env(field or Balls(moving=bool(self.depth)), values, self.dual, self.depth)
 
     @cached_property
     def _last(self) -> dict[str, Any]:
@@ -198,7 +200,7 @@ class Claim:
         number = (lambda c: c) if field else (lambda c: Ball(arb(c)))
         if row.still:
             return row.build([number(c) for c in coordinates])
-        further = iter(self.further(letter, place))
+        further = iter(() if self.flat else self.further(letter, place))
         still = row.constant or row.spread == "integer"
 
         def coefficient(value: Any) -> Any:
@@ -207,7 +209,7 @@ class Claim:
 
         def part(c: Any) -> Any:
             value = coefficient(number(c))
-            if row.dual:
+            if row.dual and not self.flat:
                 return Dual(value, coefficient(number(next(further))))
             return Dual(value, 0 * value) if self.dual and self.depth else value
 
@@ -264,8 +266,8 @@ class Claim:
     def of_number(self, part: Term) -> Claim:
         """Return the claim about the current real value of a part, if dual parts and rates do not matter for it."""
         alone = self.within().with_statement(part)
-        matters = alone.apart or with_trait(Trait.RATE, part) or self.entry.where
-        return alone if matters else replace(alone, flat=True)
+        taken = [node for node in with_trait(Trait.APART, part) if node.operator is not Re]
+        return alone if taken or with_trait(Trait.RATE, part) else replace(alone, flat=True)
 
     def within(self, *terms: Term) -> Claim:
         """Return the claim on the part of its stated domain where some terms are true, without a condition."""
@@ -301,4 +303,4 @@ def _alternatives(domain: Term) -> Iterator[Term]:
 
 def _is_endless(part: Term) -> bool:
     """Return whether a term has a sum without end, whose rest has no bound, so that it refutes nothing."""
-    return any(node.operator.name == "sum" and infinity in node.arguments for node in walk(part))
+    return any(node.operator.name == "sum" and infinity in node.arguments for node in distinct(part))

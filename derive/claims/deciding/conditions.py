@@ -19,6 +19,7 @@ from ..numbers.fields import innermost
 from .claim import Claim, Place, kind
 from .places import Probe
 from .singular import size
+from .terms import is_dual
 from .zeros import named
 
 
@@ -36,7 +37,8 @@ class Exclusion:
         if sign == "has":
             return equal(self.subject, self.subject)
         relation = {"!=": unlike, ">=": at_least, ">": greater, "<=": at_most}.get(sign)
-        return None if relation is None else relation(self.subject, Number(int(number)))
+        subject = Re(self.subject) if is_dual(self.subject) else self.subject
+        return None if relation is None else relation(subject, Number(int(number)))
 
     def __str__(self) -> str:
         if self.relation == "has a value":

@@ -8,17 +8,20 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from fractions import Fraction
+from functools import reduce
 from itertools import pairwise
 from typing import Any
 
 import flint
 
 from ..language.environment import Env
+from ..language.operator_table import both
 from ..language.printed import Term, Trait, symbols
 from ..language.values import add, coefficients
 from ..numbers.balls import Ball, BlurredError, arb, precision
 from ..numbers.kinds import Numbers
 from .claim import Claim, Place, kind
+from .terms import is_dual
 
 BITS, STEPS_MAX = 512, 40
 """Bits of Newton's method, and its largest number of steps."""
@@ -34,12 +37,16 @@ APPROACH_MAX = 48
 
 def onto(claim: Claim, place: Place) -> Place | None:
     """Return a nearby point at which the equations of the stated domain hold, or None."""
-    start, moved = _coordinates(claim, place, claim.constraints)
+    real = claim.of_number(reduce(both, claim.constraints))
+    sides = (side for part in claim.constraints for side in part.arguments)
+    further = not real.flat or bool(claim.depth) or any(map(is_dual, sides))
+    evaluated = claim if further else real
+    start, moved = _coordinates(claim, place, claim.constraints, further)
     if not start():
         return None  # orders alone, which do not move
 
     def left(x: Sequence[Any]) -> list[Any]:
-        return [arb(c).mid() for c in gaps(claim.env(moved(x)), claim.constraints)]
+        return [arb(c).mid() for c in gaps(evaluated.env(moved(x)), claim.constraints)]
 
     with precision(BITS):
         try:

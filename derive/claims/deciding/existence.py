@@ -16,21 +16,23 @@ from typing import Any
 
 import sympy
 
-from ...algebra import Dual, Quaternion, Structure, Tensor
+from ...algebra import Quaternion, Structure, Tensor
 from ...algebra.element import Element, NotExactError
 from ...algebra.matrix import Matrix
 from ..language.environment import Env
-from ..language.operator_table import epsilon, nonzero
+from ..language.operator_table import Du, Re, epsilon, nonzero
 from ..language.printed import Number, Term
 from ..numbers.fields import innermost
 from ..numbers.generators import Generators
+from ..numbers.ideal import Ideal
 from ..numbers.intervals import interval
 from .claim import Claim, kind
-from .identity import ABSENT, STRICT, difference, is_frame_free, not_negative, setting, with_free_product
-from .partial import OPEN, is_invertible, is_named, partial_operations
+from .frames import with_frames_at_rest
+from .identity import ABSENT, STRICT, difference, not_negative, setting, with_free_product
+from .partial import OPEN, is_invertible, is_named, partial_operations, real
 from .singular import size
 from .solved import with_solved_equations
-from .terms import RELATIONS, is_dual, takes_parts
+from .terms import RELATIONS, is_dual, is_frame_free, takes_parts
 
 MARGIN = Fraction(1, 1000)
 """Distance from 0 of a number that is proved not to be 0 at generic values, so it is 0 nowhere."""
@@ -66,9 +68,10 @@ class Signs:
         return found
 
     def _is_matrix(self, part: Term) -> bool:
+        """Return whether a term may be a matrix, which may have no inverse where it is not 0."""
         with suppress(*ABSENT):
-            return isinstance(self.env.value(part), Tensor | Matrix)
-        return False
+            return isinstance(self.env.value(real(part)), Tensor | Matrix)
+        return True
 
     def assume(self, part: Term) -> None:
         """Note what a relation of a stated domain, or of a condition, says of numbers; its own divisors are not 0."""
@@ -79,30 +82,35 @@ class Signs:
                     self.named.append(one)
                     self.nonzero.extend(self.ring.factors(self.number(one)))
             if name in ("unlike", "nonzero"):
-                if self._is_matrix(difference(part)):
-                    return  # a matrix that is not 0 may have no inverse
-                self.named.extend([difference(part), *(a for a in arguments[:1] if len(arguments) == 1)])
-                self.apart.append(self._not_0(difference(part)))
-                self.nonzero.extend(self.ring.factors(self.apart[-1]))
+                gap = difference(part)
+                self.named.extend([] if is_dual(gap) or self._is_matrix(gap) else [real(gap)])
+                self._keep_from_0(self._not_0(gap))
             elif name == "equal" and part.arguments[1] != Number(0) and isinstance(part.arguments[1], Number):
                 self.apart.append(self.number(part.arguments[0]))
             elif name in STRICT:
-                gap = self.field.element(not_negative(self.env, part))
-                self.field.assumed += [gap, *self._squared(gap)]
+                number = self.field.element(not_negative(self.env, part))
+                self.field.assumed += [number, *self._squared(number)]
                 if STRICT[name]:
-                    self.apart.append(gap)
-                    self.nonzero.extend(self.ring.factors(gap))
+                    self._keep_from_0(number)
             elif name in ("both", "and"):
                 for one in arguments:
                     self.assume(one)
         except ABSENT:
             return
 
+    def _keep_from_0(self, a: Element) -> None:
+        self.apart.append(a)
+        self.nonzero.extend(self.ring.factors(a))
+
     def _not_0(self, part: Term) -> Element:
-        """Return a number that is not 0 where a term is not 0, the dual part of a term without real part."""
-        value = self.env.now(self.env.value(part))
-        only = isinstance(value, Dual) and not self.field.element(innermost(value.re))
-        return self.number(part, lambda a: innermost(a.du)) if only else self.number(part)
+        """Return a number that is not 0 where a term is not 0: of a dual one its dual part, if the real part is 0."""
+        if self._is_matrix(part):
+            raise NotExactError("a determinant may be 0")
+        if not is_dual(part):
+            return self.number(part)
+        if not self.env.dual or not self.field.same(self.number(part), 0):
+            raise NotExactError("the real part of a dual number that is not 0 may be 0")
+        return self.number(Du(part))
 
     def _squared(self, gap: Element) -> Iterator[Element]:
         """Yield ``a a - b b r r`` for a number ``a - b r`` that is not negative, with a root r and positive a and b."""
@@ -115,16 +123,32 @@ class Signs:
         """Return whether a number is proved to be 0 nowhere."""
         if a in self.apart or -a in self.apart:
             return True
-        return bool(a) and self._is_apart_at_infinity(a) and (all(map(self._is_apart, self.ring.factors(a))) or (
-            not self.free and any(self.field.is_positive(b - MARGIN) for b in (a, -a))))
+        far = bool(a) and self._is_apart_at_infinity(a) and (all(map(self._is_apart, self.ring.factors(a))) or (
+            not self.free and any(self.field.is_positive(b - MARGIN) for b in (a, -a))) or self._is_excluded(a))
+        return far or (bool(a) and self._is_above_square(a))
+
+    def _is_above_square(self, a: Element) -> bool:
+        """Return whether a number is at least the square of one that is not 0, up to its sign."""
+        with suppress(NotExactError):
+            return any(self.is_positive(b - known * known, depth=0) for known in self.apart for b in (a, -a))
+        return False
+
+    def _is_excluded(self, a: Element) -> bool:
+        """Return whether with a number one would be 0 that is not, by the equations of the domain."""
+        return bool(self._gaps) and any(map(Ideal([*self._gaps, a]).contains, self.apart))
+
+    @property
+    def _gaps(self) -> Sequence[Element]:
+        """Numbers that the equations of the domain make 0."""
+        found: Sequence[Element] = () if self.field.ideal is None else self.field.ideal.elements
+        return found
 
     def _is_apart_at_infinity(self, a: Element) -> bool:
-        """Return whether a number is not 0 where a generator is infinite, as at half turns."""
+        """Return whether a number is not 0 where a generator is infinite, as at half turns, in the domain."""
         for name in self._hidden(a).intersection(self._infinite()):
             i = self.ring.index(name)
-            if any(self._vanishes_at_half_turn(b, i) for b in self.apart):
-                continue  # the domain or a condition excludes it
-            if not self._is_apart_at_half_turn(a, i):
+            outside = any(self._vanishes_far(b, i) for b in self.apart) or any(self._is_far(b, i) for b in self._gaps)
+            if not outside and not self._is_apart_far(a, i):
                 return False
         return True
 
@@ -150,14 +174,25 @@ class Signs:
                 leading += [self._leading(base.numerator, i)] if highest and sign > 0 else []
         return degree, leading
 
-    def _vanishes_at_half_turn(self, a: Element, i: int) -> bool:
-        """Return whether a number is 0 where the tangent of an angle is infinite."""
+    def _vanishes_far(self, a: Element, i: int) -> bool:
+        """Return whether a number is 0 where a generator is infinite."""
         with suppress(NotExactError):
             return bool(self._growth(a, i)[0].sign() < 0)
         return False
 
-    def _is_apart_at_half_turn(self, a: Element, i: int) -> bool:
-        """Return whether a number is proved not to be 0 where the tangent of an angle is infinite."""
+    def _is_far(self, a: Element, i: int) -> bool:
+        """Return whether a number has constants as leading coefficients, and is not 0 where a generator is infinite."""
+        with suppress(NotExactError):
+            degree, leading = self._growth(a, i)
+            every = len(leading) == len(self.ring.library.factors(a.numerator))
+            return every and not any(map(self.field.used, leading)) and bool(degree.sign() >= 0)
+        return False
+
+    def _is_apart_far(self, a: Element, i: int) -> bool:
+        """Return whether a number is proved not to be 0 where a generator is infinite; it may be if a root is too."""
+        used, name = self.field.used(a), self.ring.names[i]
+        if any(root in used and name in self.field.used(square) for square, root in self.field.extensions):
+            return False
         with suppress(NotExactError):
             degree, leading = self._growth(a, i)
             return bool(degree.sign() > 0 or (not degree and all(map(self.is_nonzero, leading))))
@@ -186,6 +221,9 @@ class Signs:
         """Return whether a factor is 0 nowhere; that of several letters also in limits of polar forms."""
         if factor in (self.ring.library.one, *self.nonzero) or self._is_function_apart(factor):
             return True
+        if any(factor == self.field.product(monomial).numerator and self.field.symbol(name).numerator in self.nonzero
+               for (what, monomial), name in self.field.meanings.items() if what == "tangent"):  # fmt: skip
+            return True  # the angle is not 0, for its tangent is not
         if any(self._is_above(factor, known * known) for known in self.nonzero):
             return True
         if not self.ring.definite(factor, strict=True):
@@ -242,6 +280,23 @@ class Signs:
             or self._is_above_assumed(a, strict)
         )  # fmt: skip
 
+    def is_above(self, part: Term, strict: bool = False) -> bool:
+        """Return whether a term is a number that is proved not to be negative, or to stay above 0, also by its form.
+
+        The numbers of a large sum may be too large to be evaluated, such as the square of a magnitude in it.
+        """
+        name, arguments = part.operator.name, part.arguments
+        if name == "plus":
+            return all(map(self.is_above, arguments)) and (not strict or any(self.is_above(a, True) for a in arguments))
+        is_power = name == "power" and isinstance(arguments[1], Number) and arguments[1].value > 0
+        if (is_power or name == "bracket") and self.is_above(arguments[0], strict):
+            return True
+        if not strict and (name == "norm" or (name == "dot" and arguments[0] == arguments[1])):
+            return True
+        with suppress(*ABSENT):
+            return self.is_positive(self.number(part, innermost) - (MARGIN if strict else 0))
+        return False
+
     def _lone(self, a: Element, name: str) -> Element:
         """Return the factor of a generator in a number, if it occurs to the first power only."""
         found: Element = self.ring.fraction(a.numerator.derivative(self.ring.index(name)), a.denominator)
@@ -291,9 +346,9 @@ def signs_of(claim: Claim, condition: Sequence[Term], parts: Sequence[Term]) -> 
 
 def signs_in(claim: Claim, env: Env, condition: Sequence[Term] = ()) -> Signs:
     """Return the signs in an environment over generators, with what domain and condition say."""
-    domain = [nonzero(a) for a in claim.coordinates if kind(a).invertible]
+    domain = [nonzero(Re(a)) for a in claim.coordinates if kind(a).invertible]
     domain += [] if claim.entry.claimed is None else [claim.entry.claimed]
-    free = is_frame_free(claim) and not any(kind(a).projective and kind(a).size == 4 for a in claim.coordinates)
+    free = is_frame_free(*claim.parts) and not any(kind(a).projective and kind(a).size == 4 for a in claim.coordinates)
     outward = (f"{a.name}.{stem}" for a in claim.coordinates for stem in ("s", *(["1"] if kind(a).projective else [])))
     signs = Signs(env, free=free, numbers=frozenset(a.name for a in claim.coordinates if kind(a).size == 1),
                   outward=tuple(outward))  # fmt: skip
@@ -306,6 +361,7 @@ def undecided_parts(claim: Claim, condition: Sequence[Term] = ()) -> list[Term]:
     """Return the partial operations of a claim that are not proved to have a value."""
     claim, condition = with_solved_equations(claim, *condition)
     claim, condition = with_free_product(claim, *condition)
+    claim, condition = with_frames_at_rest(claim, *condition)
     given = [part.arguments[0] for part in condition if part.operator.name == "equal"]  # those have a value
     asking = list(partial_operations(claim.statement, partial(_has_slope, claim), given))
     parts = list(dict.fromkeys(part for part, _ in asking))
@@ -326,7 +382,7 @@ def _has_slope(claim: Claim, part: Term) -> bool:
 def _has_value(signs: Signs, part: Term, asked: str) -> bool:
     if asked == OPEN:
         return False
-    if asked == "not 0" and (is_invertible(part) or is_named(part, signs.named)):
+    if asked == "not 0" and (is_invertible(part) or is_named(part, signs.named) or signs.is_above(part, True)):
         return True
     try:
         value = signs.env.value(part)

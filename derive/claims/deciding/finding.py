@@ -133,7 +133,7 @@ def _found(claim: Claim, early: Callable[[Finding], None]) -> Finding:
     if tried and at.points >= POINTS_MIN:
         early(_unproved(first, ""))
     how = _proof(claim) if tried else None
-    if how is not None and ", n = " not in how and not _without_value(claim):
+    if how is not None and not _is_for_some_orders(how) and not _without_value(claim):
         return _proved(first, how)
     at.false += _equal_sides(claim, at.blurred)
     if not enough(at):
@@ -160,7 +160,7 @@ def _proof(claim: Claim) -> str | None:
     """Return how a claim is proved where both sides have a value, by the weakest of its parts; or None."""
     hows = [_proof_of_part(part) for part in split(claim)]
     known = [how for how in hows if how is not None]
-    return max(known, key=lambda how: (", n = " in how, how.startswith(MODULO))) if known == hows else None
+    return max(known, key=lambda how: (_is_for_some_orders(how), how.startswith(MODULO))) if known == hows else None
 
 
 def _proof_of_part(claim: Claim) -> str | None:
@@ -171,12 +171,16 @@ def _proof_of_part(claim: Claim) -> str | None:
     return proved(claim) or proved_at_orders(claim)
 
 
+def _is_for_some_orders(how: str) -> bool:
+    return ", n = " in how
+
+
 def _with_proof(claim: Claim, finding: Finding, how: str | None) -> Finding:
     """Return a decision at points with its proof: of the statement, then of the values of both sides."""
     if how is None and (place := _failing_at_more_digits(claim, finding.true)) is not None:
         method = f"refuted at {place.label}, with {PRECISIONS[-1]} bits"
         return Finding(Status.FALSE, method, finding.points, "exact", failing=place)
-    if how is None or ", n = " in how:
+    if how is None or _is_for_some_orders(how):
         return _unproved(finding, how or "")
     if without := _without_value(claim, finding.needed):
         shown = ", ".join(dict.fromkeys(written(claim.entry.contracted(part)) for part in without[:SHOWN]))

@@ -26,9 +26,10 @@ from ..numbers.kinds import BRANCH, ORDER
 from ..numbers.residues import Residues, UnluckyError
 from .claim import Claim, kind
 from .constrained import gaps
+from .frames import with_frames_at_rest
 from .polar import Polar, Way, bounds, closed_letters
 from .solved import conjuncts, with_solved_equations
-from .terms import operators, takes_parts
+from .terms import is_frame_free, operators, takes_parts
 
 PRIMES_MAX = 40
 """Largest number of primes that are tried for one with all roots."""
@@ -40,8 +41,6 @@ CUT = frozenset(("floor of number", "negated", "implies", "iff", "cases"))
 """Operators that jump: a claim that is true at generic values may be false at special ones."""
 STRICT = {"less": True, "at most": False, "greater": True, "at least": False}
 """Order relations, with whether they exclude equality."""
-COMPONENTWISE = frozenset(("vector", "matrix", "block", "entry", "kron", "vec", "zeros"))
-"""First words of operators that depend on the frame."""
 ANGLES = frozenset(("real", "real angle", "dual number", "angle"))
 """Kinds of numbers that may be any number."""
 INTEGERS = frozenset(("integer", "order", "branch"))
@@ -85,6 +84,7 @@ def _for_all_signs(claim: Claim, make: Make, choices: Sequence[Mapping[Symbol, i
     Raise NotExactError if the field cannot tell.
     """
     claim, _ = with_free_product(with_solved_equations(claim)[0])
+    claim, _ = with_frames_at_rest(claim)
     for fixed in claim.choices if choices is None else choices:
         waiting: list[tuple[int, ...]] = [()]
         while waiting:
@@ -142,9 +142,10 @@ def setting(
         way = Way.COMPONENTS
     dual = takes_parts(claim.statement, *claim.constraints) or Du.name in operators(*claim.parts)
     counts = [a for a in claim.letters if a.quantity in (ORDER, BRANCH) and a not in fixed]
-    given = bounds(domain), field, closed_letters(domain), dual, way, counts, bool(counts) and is_frame_free(claim)
+    turning = bool(counts) and is_frame_free(*claim.parts)
+    given = bounds(domain), field, closed_letters(domain), dual, way, counts, turning
     letters = Polar(claim.coordinates, claim.depth, *given)
-    env = Env(letters.field, letters.values | dict(fixed), claim.entry.definitions, dual, claim.depth)
+    env = Env(letters.field, letters.values | dict(fixed), dual, claim.depth)
     for letter, turns in _turned(claim.statement).items():
         if letter in env.values and letter.name not in {name.partition("/")[0] for name in given[0]}:
             env.values[letter] = env.values[letter] - env.value(turns)
@@ -166,11 +167,6 @@ def _turned(statement: Term) -> dict[Symbol, Term]:
             if isinstance(a, Symbol) and a.quantity.name in ANGLES and "π" in names and names <= {"π", *INTEGERS}:
                 found.setdefault(a, b if node.operator.name == "plus" else -b)
     return found
-
-
-def is_frame_free(claim: Claim) -> bool:
-    """Return whether all vectors may be turned together, as no component is taken."""
-    return COMPONENTWISE.isdisjoint(name.split()[0] for name in operators(*claim.parts) if name)
 
 
 def contradicts_itself(claim: Claim) -> bool:

@@ -21,11 +21,11 @@ from ..numbers.generators import Generators
 from ..numbers.signed import Bound
 from .claim import Claim, kind
 from .existence import MARGIN, Signs, signs_in, undecided_parts
-from .identity import ABSENT, STRICT, difference, is_frame_free, not_negative, setting, whole_steps
+from .identity import ABSENT, STRICT, difference, not_negative, setting, whole_steps
 from .polar import ALL, POSITIVE, Way, bounds
 from .proof import proved
 from .solved import conjuncts
-from .terms import operators
+from .terms import is_frame_free, operators
 
 DERIVATIVES_MAX = 8
 """Largest number of derivatives that are 0 where an order relation begins."""
@@ -43,6 +43,9 @@ def _is_true(claim: Claim, statement: Term) -> bool:
     """Return whether a statement is proved, each of its order relations in any way."""
     if Trait.JOINS in statement.operator.traits or statement.operator is both:
         return all(_is_true(claim, part) for part in statement.arguments)
+    known = [difference(part) for part in _domain(claim) if part.operator.name in ("unlike", "nonzero")]
+    if statement.operator.name == "unlike" and difference(statement) in known:
+        return True
     if statement.operator.name not in (*STRICT, "unlike"):
         return proved(claim.with_statement(statement)) is not None
     return any(map(_is_proved, map(claim.with_statement, dict.fromkeys((statement, _by_parts(statement))))))
@@ -77,7 +80,7 @@ def _parts_of_length(side: Term) -> Term:
 
 def _ways(claim: Claim) -> Iterator[Way]:
     """Yield the forms of letters in which a claim may be proved."""
-    if not claim.depth and is_frame_free(claim):
+    if not claim.depth and is_frame_free(*claim.parts):
         yield Way.FRAMED
     yield Way.POLAR
     if any(kind(a).size > 1 for a in claim.coordinates):
@@ -118,7 +121,7 @@ def _is_whole(claim: Claim, way: Way) -> bool:
     kinds = [kind(a) for a in claim.coordinates if kind(a).size > 1]
     if way is Way.FRAMED:
         return len(kinds) < 3 and all(row.size == 3 for row in kinds)
-    return not kinds or (way is Way.COMPONENTS and not any(row.projective for row in kinds))
+    return not kinds or (way is Way.COMPONENTS and not any(row.projective and row.size > 3 for row in kinds))
 
 
 # ---- along one number -----------------------------------------------------------------------------------------------

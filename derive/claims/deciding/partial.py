@@ -8,7 +8,7 @@ from types import MappingProxyType
 
 from ..language.calculus import BINDERS
 from ..language.matrices import zeros
-from ..language.operator_table import cos, det, infinity, norm, sin
+from ..language.operator_table import cos, det, infinity, sin
 from ..language.printed import Number, Symbol, Term, symbols, walk
 from ..numbers.kinds import BRANCH, ORDER
 from .terms import is_dual
@@ -49,12 +49,17 @@ def is_invertible(part: Term) -> bool:
         name == "exp" and part.arguments[0].operator.name == "skew")
 
 
+def real(part: Term) -> Term:
+    """Return a term that has an inverse where the real part of a term or of its magnitude is not 0."""
+    return real(part.arguments[0]) if part.operator.name in ("Re", "norm") else part
+
+
 def is_named(part: Term, named: Sequence[Term]) -> bool:
     """Return whether a term is not 0 if these terms are not, as a power, a product or a magnitude of them."""
-    if not {part, det(part), norm(part)}.isdisjoint(named):
+    if not {part, det(part)}.isdisjoint(named):
         return True
     name, arguments = part.operator.name, part.arguments
-    if name in ("power", "norm", "negative", "bracket", "root"):
+    if name in ("power", "norm", "negative", "bracket", "root", "Re"):
         return is_named(arguments[0], named)
     return name == "times" and all(isinstance(a, Number) or is_named(a, named) for a in arguments)
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from functools import reduce
 
-from ..language.matrices import either, unlike
-from ..language.operator_table import both, equal, every, implies, negated
-from ..language.printed import Apply, Number, Term, Trait
+from ..language.matrices import distance, either, unlike
+from ..language.operator_table import Re, both, cross, equal, every, implies, negated
+from ..language.printed import Apply, Number, Term, Trait, walk
 from .claim import Claim
 from .identity import contradicts_itself
 from .solved import conjuncts, symmetric
@@ -33,6 +33,9 @@ def split(claim: Claim) -> Iterator[Claim]:
     elif (node := next(_by_cases(statement), None)) is not None:
         for value, given in _arms(node):
             yield from split(claim.within(*given).with_statement(statement.xreplace({node: value})))
+    elif (normal := next(_normals(claim), None)) is not None:
+        for given in (unlike(normal, 0), equal(normal, 0)):
+            yield from split(claim.within(given))
     else:
         domain = [] if claim.entry.claimed is None else conjuncts(claim.entry.claimed)
         many = next((part for part in domain if _alternatives(part)), None)
@@ -104,6 +107,15 @@ def _by_cases(statement: Term) -> Iterator[Term]:
         elif not statement.operator.lazy:
             for part in statement.arguments:
                 yield from _by_cases(part)
+
+
+def _normals(claim: Claim) -> Iterator[Term]:
+    """Yield the normals of lines with a distance, which is another formula if they are 0, unless the domain tells."""
+    known = [] if claim.entry.claimed is None else conjuncts(claim.entry.claimed)
+    for node in (node for node in walk(claim.statement) if node.operator is distance):
+        normal = cross(*map(Re, node.arguments))
+        if {unlike(normal, 0), equal(normal, 0)}.isdisjoint(known):
+            yield normal
 
 
 def _arms(node: Term) -> Iterator[tuple[Term, tuple[Term, ...]]]:

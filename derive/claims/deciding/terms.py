@@ -5,10 +5,12 @@ from __future__ import annotations
 from typing import Any
 
 from ..language.operator_table import Du, Re, cos, epsilon, sin
-from ..language.printed import Apply, Number, Symbol, Term, Trait, symbols, walk, with_trait
+from ..language.printed import Apply, Number, Symbol, Term, Trait, distinct, symbols, walk, with_trait
 from ..numbers.kinds import KINDS
 
 RELATIONS = frozenset(("less", "at most", "greater", "at least", "unlike", "equal", "nonzero"))
+COMPONENTWISE = frozenset(("vector", "matrix", "block", "entry", "kron", "vec", "zeros"))
+"""First words of operators that depend on the frame."""
 
 
 def at_zero(statement: Term, zero: Term | None, dual: bool) -> Term:
@@ -46,8 +48,13 @@ def is_dual(side: Term) -> bool:
     return side == epsilon or (side.quantity.name in KINDS and KINDS[side.quantity.name].dual)
 
 
+def is_frame_free(*statements: Term) -> bool:
+    """Return whether all vectors may be turned together, as no component is taken."""
+    return COMPONENTWISE.isdisjoint(name.split()[0] for name in operators(*statements) if name)
+
+
 def operators(*statements: Term) -> set[str]:
-    return {node.operator.name for statement in statements for node in walk(statement)}
+    return {node.operator.name for statement in statements for node in distinct(statement)}
 
 
 def bare(part: Term) -> Term:

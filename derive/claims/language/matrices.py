@@ -275,8 +275,9 @@ floor = define("floor of number", r"\left\lfloor {0} \right\rfloor", "floor({0})
 
 def _distance(env: Env, a: Vector, b: Vector) -> Any:
     normal = values.re(a).cross(values.re(b))
-    parallel = env.field.same(innermost(normal.dot(normal)), 0)
-    return (distance_of_parallels if parallel else distance_of_lines)(a, b, env.field)
+    if all(env.field.same(innermost(c), 0) for c in normal):
+        return distance_of_parallels(a, b, env.field)
+    return distance_of_lines(a, b, env.field, env.field.absolute)
 
 
 distance = define("distance", r"d\left({0}, {1}\right)", "distance({0}, {1})", ATOM, (LIST, LIST), _distance,

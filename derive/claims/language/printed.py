@@ -12,6 +12,7 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from enum import Flag, auto
 from functools import lru_cache
+from itertools import chain
 from typing import Any, Self
 from weakref import WeakValueDictionary
 
@@ -200,7 +201,7 @@ def term(value: Any) -> Term:
 
 def symbols(statement: Term) -> tuple[Symbol, ...]:
     """Return the distinct symbols of a statement in printed order."""
-    return tuple(dict.fromkeys(node for node in walk(statement) if isinstance(node, Symbol)))
+    return tuple(node for node in distinct(statement) if isinstance(node, Symbol))
 
 
 @lru_cache(2**16)
@@ -216,9 +217,15 @@ def walk(statement: Term) -> Iterator[Term]:
         yield from walk(argument)
 
 
+@lru_cache(2**16)
+def distinct(statement: Term) -> tuple[Term, ...]:
+    """Return the distinct parts of a statement, itself first, in printed order; they are kept."""
+    return tuple(dict.fromkeys(chain((statement,), *map(distinct, statement.arguments))))
+
+
 def with_trait(trait: Trait, *statements: Term) -> tuple[Term, ...]:
-    """Return the parts of the statements whose operator has a trait."""
-    return tuple(node for statement in statements for node in walk(statement) if trait in node.operator.traits)
+    """Return the distinct parts of each statement whose operator has a trait."""
+    return tuple(node for statement in statements for node in distinct(statement) if trait in node.operator.traits)
 
 
 def rate_depth(node: Term) -> int:

@@ -55,7 +55,11 @@ class Field(Elementary):
         return self.atan2(a, 1)
 
     def absolute(self, a: Any) -> Any:
-        return abs(a)
+        """Return the magnitude; of a dual number with its slope, ``ε |a°|`` if the real part is 0."""
+        if not isinstance(a, Dual):
+            return abs(a)
+        size = self.absolute(a.du if a.re == 0 else a.re)
+        return Dual(a.re, size) if a.re == 0 else Dual(size, size / a.re * a.du)
 
     def floor(self, a: Any) -> int:
         """Return the greatest integer that is not greater."""

@@ -18,6 +18,7 @@ class Ideal:
     """Ideal of the numerators of exact numbers; `contains` is sound, and complete if the basis was not cut."""
 
     def __init__(self, elements: Sequence[Element]) -> None:
+        self.elements = elements
         names = [f"g{i}" for i in range(len(elements[0].ring.names))]
         self._context = flint.fmpz_mpoly_ctx.get(names, flint.Ordering.degrevlex)
         given = flint.fmpz_mpoly_vec([self._integral(a) for a in elements], self._context)

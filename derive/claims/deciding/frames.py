@@ -1,0 +1,71 @@
+"""Frames at rest: a rotation R that only gives constant directions ``R*c`` is taken as the identity.
+
+All other vectors turn with R, so that a claim is true for each R if it is true for one.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from enum import Enum, auto
+
+from ..language.matrices import distance
+from ..language.operator_table import Re
+from ..language.printed import Symbol, Term, Trait, symbols, walk
+from ..numbers.kinds import KINDS
+from .claim import Claim, kind
+from .terms import RELATIONS, is_frame_free
+
+
+class Turn(Enum):
+    """Rotation with which vectors turn; two vectors of one formula turn with the same one."""
+
+    FRAME = auto()
+    REAL_PART = auto()
+
+
+INVARIANT = frozenset(("norm", "dot", "trace", "det", "distance"))
+"""Operators whose numbers are the same in all frames, with their dual parts."""
+
+
+def with_frames_at_rest(claim: Claim, *further: Term) -> tuple[Claim, tuple[Term, ...]]:
+    """Return a claim and further terms with the identity for each frame, if they allow it."""
+    for frame in claim.coordinates:
+        parts = [part for part in (claim.statement, claim.entry.claimed, *further) if part is not None]
+        fixed = kind(frame).constant or not claim.depth
+        if fixed and frame.quantity.name.endswith(("rotation", "orthogonal tensor")) and _all_turn(frame, parts):
+            axes = {node: node.arguments[1] for part in parts for node in walk(part) if _is_axis(node, frame)}
+            claimed = None if claim.entry.claimed is None else claim.entry.claimed.xreplace(axes)
+            entry = replace(claim.entry, claimed=claimed, condition=None)
+            claim = replace(claim, entry=entry, statement=claim.statement.xreplace(axes))
+            further = tuple(part.xreplace(axes) for part in further)
+    return claim, further
+
+
+def _is_axis(node: Term, frame: Symbol) -> bool:
+    """Return whether a term is ``R*c`` with a constant direction c."""
+    is_product = node.operator.name == "times" and node.arguments[0] == frame
+    return is_product and not any(a.quantity.varies for a in symbols(node.arguments[1]))
+
+
+def _all_turn(frame: Symbol, parts: Sequence[Term]) -> bool:
+    """Return whether all vectors turn with a frame, of which nothing but axes occurs."""
+    axis = Symbol(f"axis of {frame.name}", "dual vector")
+    shown = [part.xreplace({node: axis for node in walk(part) if _is_axis(node, frame)}) for part in parts]
+    if not is_frame_free(*shown) or any(frame in symbols(part) for part in shown):
+        return False
+    return not kind(frame).dual or not any(map(_turning, shown))
+
+
+def _turning(node: Term) -> set[Turn]:
+    """Return by what the vectors in a term turn, if they are not within a number that is the same in all frames."""
+    if isinstance(node, Symbol):
+        row = KINDS.get(node.quantity.name)
+        return set() if row is None or row.size == 1 else {Turn.FRAME if row.dual else Turn.REAL_PART}
+    found = set[Turn]().union(*map(_turning, node.arguments))
+    if node.operator is Re and found == {Turn.FRAME}:
+        found = {Turn.REAL_PART}
+    is_apart = Trait.APART in node.operator.traits and node.operator is not distance
+    if is_apart and Turn.FRAME in found:
+        return {*Turn}
+    return set() if node.operator.name in INVARIANT | RELATIONS and len(found) < 2 else found

@@ -1,0 +1,78 @@
+"""Existence of values: a divisor is proved not to be 0 by what the domain says of it, and by nothing less."""
+
+from __future__ import annotations
+
+import pytest
+
+from derive.claims.decide import _premised
+from derive.claims.deciding.claim import Claim
+from derive.claims.deciding.existence import undecided_parts
+from derive.claims.deciding.frames import with_frames_at_rest
+from derive.claims.deciding.split import split
+from derive.claims.sheet import claim_alone
+
+LETTERS = {
+    "a": "angle", "x": "real", "y": "real", "v": "vector", "w": "vector", "u": "unit vector", "R": "rotation",
+    "S": "rotation", "c": "dual number", "d": "dual number", "b": "dual vector", "h": "dual vector",
+    "q": "quaternion", "p": "quaternion", "Q": "orthogonal dual tensor",
+}  # fmt: skip
+BALL, ACROSS = "0 < norm(v) and norm(v) < 1", "1 - entry(u, 1)**2 != 0"
+APART = [
+    ("tan(a/2)", "0 < tan(a/2)"), ("2*norm(v) + entry(v, 3)", BALL), ("x", "sin(x/2) != 0"),
+    ("norm(b + h)", "re(b + h) != 0"), ("norm(b)", "re(norm(b)) != 0"), ("norm(du(b))", "b != 0 and re(b) == 0"),
+    ("entry(u, 3)", f"{ACROSS} and entry(u, 2) == 0"), ("1 - entry(u, 1)**2", "entry(u, 3) != 0"),
+    ("x**2 + y**2", "not (x == 0 and y == 0)"), ("1 + norm(R*v + S*w)**2", ""), ("1 + norm(q*b*p)**3", ""),
+]  # fmt: skip
+"""Divisors with a domain that keeps them from 0."""
+OPEN = [
+    ("tan(a/2)", "0 <= tan(a/2)"), ("norm(v) + entry(v, 3)", BALL), ("x", "cos(x/2) != 0"), ("x", "sin(x) != 1"),
+    ("norm(b + h)", "b + h != 0"), ("c + d - 5", "c + d != 5"), ("norm(du(b))", "b != 0"),
+    ("entry(u, 3)", ACROSS), ("entry(u, 3)", f"{ACROSS} and entry(u, 3)*entry(u, 2) == 0"),
+    ("1 - entry(u, 1)**2", "entry(u, 1) != 0"), ("x**2 + y", "not (x == 0 and y == 0)"),
+    ("c**2 + d**2", "not (c == 0 and d == 0)"), ("1 + q", ""), ("norm(v) + norm(w)", ""), ("R - S", "R - S != 0"),
+]  # fmt: skip
+"""Divisors that are 0, or whose real part is, somewhere in a domain."""
+FIRST, SECOND = "Q*vector(1, 0, 0)", "Q*vector(0, 1, 0)"
+AT_REST = [
+    f"dot({FIRST}, {SECOND}) == 0", f"norm({FIRST} + b)**2 == 1 + norm(b)**2 + 2*dot({FIRST}, b)",
+    f"norm(re({FIRST}) + v)**2 == 1 + norm(v)**2 + 2*dot(re({FIRST}), v)", f"du(dot({FIRST}, {SECOND})) == 0",
+]  # fmt: skip
+"""Claims that are true for every frame Q if they are for one."""
+TURNING = [
+    f"du(dot({FIRST}, v)) == 0", f"norm(du({FIRST})) == 0", f"dot({FIRST}, re({SECOND})) == 0",
+    f"re({FIRST}) == {FIRST}", f"dot({FIRST}, re(b)) == dot({FIRST}, b)", f"entry({FIRST}, 1) == 1",
+    f"norm({FIRST} - vector(1, 0, 0)) == 0", f"dot({FIRST}, Q*b) == dot({FIRST}, b)", "trace(Q) == 3",
+    f"rate({FIRST}) == 0*({FIRST})", f"{FIRST} == inverse(Q)*vector(1, 0, 0)",
+]  # fmt: skip
+"""Claims that are true for the identity and not for every frame Q."""
+
+
+def of(text: str, domain: str = "") -> Claim:
+    (entry,) = claim_alone(text, LETTERS, domain=domain).entries()
+    return _premised(Claim(entry, entry.readings[0].statement))
+
+
+def undecided(number: str, domain: str) -> bool:
+    claim = of(f"inverse({number}) == inverse({number})", domain)
+    return any(undecided_parts(part) for part in split(claim))
+
+
+@pytest.mark.parametrize(("number", "domain"), APART)
+def test_domain_keeps_a_divisor_from_0(number: str, domain: str) -> None:
+    assert not undecided(number, domain)
+
+
+@pytest.mark.parametrize(("number", "domain"), OPEN)
+def test_divisor_that_is_0_somewhere_stays_open(number: str, domain: str) -> None:
+    assert undecided(number, domain)
+
+
+@pytest.mark.parametrize("text", AT_REST)
+def test_frame_of_constant_directions_is_at_rest(text: str) -> None:
+    assert "Q" not in {letter.name for letter in with_frames_at_rest(of(text))[0].letters}
+
+
+@pytest.mark.parametrize("text", TURNING)
+def test_frame_that_matters_is_not_at_rest(text: str) -> None:
+    claim = of(text)
+    assert with_frames_at_rest(claim)[0] == claim
