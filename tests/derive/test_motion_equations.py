@@ -15,7 +15,7 @@ from derive.algebra.arithmetic import Arithmetic
 from derive.claims.deciding.polar import Polar
 from derive.claims.language import values
 from derive.claims.language.environment import Env
-from derive.claims.language.printed import Symbol
+from derive.claims.language.printed import Symbol, as_usual, symbols
 from derive.claims.numbers.generators import Generators
 from derive.claims.numbers.kinds import ORDER
 from derive.motion_equations import KINDS, MotionEquation, motion_equation
@@ -50,14 +50,16 @@ def true_reading(number: str) -> Any:
 def equals_printed(number: str, order: int | None, equation: MotionEquation) -> bool:
     """Return whether an equation has the right-hand side of a printed one, at generic dual states and twists."""
     entry, statement = true_reading(number)
-    rate, printed = statement.arguments
+    known = (entry.abbreviations[name].known for name in TWIST[KINDS[number][0]] if name in entry.abbreviations)
+    twists = {as_usual(entry.expanded(meaning)): ANY for rows in known for meaning, _ in rows.values()}
+    rate, printed = as_usual(entry.expanded(statement)).xreplace(twists).arguments
     (state,) = rate.arguments
-    twist = next(symbol for symbol in entry.definitions if symbol.name in TWIST[KINDS[number][0]])
     # tan(α/4) needs sine and cosine of eighths of an angle
-    free = [symbol for symbol in entry.free(printed) if symbol.quantity is not ORDER]
+    letters = [symbol for symbol in symbols(printed) if symbol.quantity.varies]
+    free = [symbol for symbol in letters if symbol.quantity is not ORDER and symbol != ANY]
     at = Polar([*free, ANY], 0, {}, partial(Generators, steps=8), dual=True, free=True)
-    orders = {symbol: order for symbol in entry.free(printed) if symbol.quantity is ORDER}
-    env = Env(at.field, {**at.values, **orders, twist: at.values[ANY]}, entry.definitions)
+    orders = {symbol: order for symbol in letters if symbol.quantity is ORDER}
+    env = Env(at.field, {**at.values, **orders})
     found = equation.rate(env.value(state), at.values[ANY], ExactArithmetic(at.field))
     return values.equal(at.field, env.value(printed), found)
 
