@@ -15,7 +15,9 @@ from derive.algebra.arithmetic import Arithmetic
 from derive.claims.deciding.polar import Polar
 from derive.claims.language import values
 from derive.claims.language.environment import Env
-from derive.claims.language.printed import Symbol, as_usual, symbols
+from derive.claims.language.names import expanded
+from derive.claims.language.operator_table import both
+from derive.claims.language.printed import Symbol, as_usual
 from derive.claims.numbers.generators import Generators
 from derive.claims.numbers.kinds import ORDER
 from derive.motion_equations import KINDS, MotionEquation, motion_equation
@@ -50,16 +52,15 @@ def true_reading(number: str) -> Any:
 def equals_printed(number: str, order: int | None, equation: MotionEquation) -> bool:
     """Return whether an equation has the right-hand side of a printed one, at generic dual states and twists."""
     entry, statement = true_reading(number)
-    known = (entry.abbreviations[name].known for name in TWIST[KINDS[number][0]] if name in entry.abbreviations)
-    twists = {as_usual(entry.expanded(meaning)): ANY for rows in known for meaning, _ in rows.values()}
-    rate, printed = as_usual(entry.expanded(statement)).xreplace(twists).arguments
+    known = {name: a for name, a in entry.abbreviations.items() if name in TWIST[KINDS[number][0]]}
+    twists = {name: replace(a, known={k: (ANY, kind) for k, (_, kind) in a.known.items()}) for name, a in known.items()}
+    rate, printed = as_usual(expanded(statement, {**entry.abbreviations, **twists})).arguments
     (state,) = rate.arguments
     # tan(α/4) needs sine and cosine of eighths of an angle
-    letters = [symbol for symbol in symbols(printed) if symbol.quantity.varies]
-    free = [symbol for symbol in letters if symbol.quantity is not ORDER and symbol != ANY]
+    letters = entry.meant.free(both(state, printed))
+    free = [letter for letter in letters if letter.quantity is not ORDER and letter != ANY]
     at = Polar([*free, ANY], 0, {}, partial(Generators, steps=8), dual=True, free=True)
-    orders = {symbol: order for symbol in letters if symbol.quantity is ORDER}
-    env = Env(at.field, {**at.values, **orders})
+    env = Env(at.field, {**at.values, **{letter: order for letter in letters if letter.quantity is ORDER}})
     found = equation.rate(env.value(state), at.values[ANY], ExactArithmetic(at.field))
     return values.equal(at.field, env.value(printed), found)
 
