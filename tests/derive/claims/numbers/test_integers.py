@@ -83,6 +83,13 @@ def test_polynomials_of_a_cayley_map() -> None:
         assert p * p + x * q * q == field.power(1 + x, n)
 
 
+def test_quaternions_of_other_directions_have_other_angles() -> None:
+    field = fields()[0]
+    n, x = field.symbol("n"), field.symbol("x")
+    one, other = (field.power(Quaternion(1, Vector(0, 0, times * x)), n) for times in (1, 2))
+    assert any((one * other.conjugate()).vector)
+
+
 REFUSED: tuple[Callable[[Any, Any, Any], tuple[Any, Any]], ...] = (
     lambda f, x, n: (Tensor.identity(), n), lambda f, x, n: (x, n / 2), lambda f, x, n: (1 + x * x, n / 4),
     lambda f, x, n: (1 + x * x, 1 / n), lambda f, x, n: (x, x * n), lambda f, x, n: (x - x, n),
