@@ -74,8 +74,7 @@ thorough: $(TESTED)  ## slow tests: compilers and further charts
 test-native: $(TESTED)  ## kernel tests on compiled functions of all committed charts
 	rm -rf build/test-native
 	$(RUN) -m tests.support.native build/test-native
-	DUALCAY_NATIVE=1 PYTHONPATH=$(CURDIR)/build/test-native/site $(PYTEST) -m "not thorough" tests/generated \
-	    --ignore tests/generated/test_sign_flips.py
+	DUALCAY_NATIVE=1 PYTHONPATH=$(CURDIR)/build/test-native/site $(PYTEST) -m "not thorough" tests/generated
 
 quick: $(TESTED)  ## lint, types, stale kernels and one smoke test per room, in half a minute
 	$(MAKE) --no-print-directory --jobs=3 types smoke check-kernels lint

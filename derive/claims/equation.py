@@ -22,7 +22,6 @@ from typing import Any, TypeAlias
 
 from ..algebra.latex import Typeset
 from .extracted import faithful
-from .language.environment import Definition
 from .language.names import Abbreviation, contracted, expanded
 from .language.printed import Symbol, Term, as_usual, latex, rate_depth, symbols, walk
 
@@ -56,13 +55,11 @@ class Entry(Typeset):
     title: str = ""
     line: int = 0  # line of the extracted text that contains the equation
     extract: str = ""  # characters of the text on that line; empty for a claim in words
-    where: tuple[Definition, ...] = ()  # definitions of symbols; all other symbols are free
     claimed: Term | None = None  # domain stated by the paper; points outside it are not tested
     stated: str = ""  # words that state the claimed domain
     condition: Term | None = None  # condition under which the equation was found to hold
     corrected: Term | None = None  # correction of an erratum
     because: Term | None = None  # identity that supports a statement for which points are only evidence
-    moving: bool = False  # whether symbols are functions of time although the statement has no rate
     orders: tuple[int, ...] | None = None  # orders that the entry is about; all by default
     lost: str = ""  # further characters lost by the extraction in this display
     undecided: str = ""  # why the claim is in words that no formula states; then it is not decided
@@ -93,20 +90,12 @@ class Entry(Typeset):
 
         readings = tuple(replace(reading, statement=filled(reading.statement)) for reading in self.readings)
         parts = {name: filled(getattr(self, name)) for name in ("claimed", "condition", "corrected", "because")}
-        return replace(self, readings=readings, where=(), **parts)
-
-    @property
-    def definitions(self) -> dict[Symbol, Definition]:
-        return {definition.symbol: definition for definition in self.where}
+        return replace(self, readings=readings, **parts)
 
     def free(self, statement: Term) -> tuple[Symbol, ...]:
-        """Return the free symbols of a statement, of the domain and condition, and of the definitions in use."""
+        """Return the letters of a statement, and of the domain and condition."""
         parts = (statement, *(part for part in (self.claimed, self.condition) if part is not None))
-        found = list(dict.fromkeys(symbol for part in parts for symbol in symbols(part)))
-        for symbol in found:
-            if symbol in self.definitions:
-                found += [argument for argument in self.definitions[symbol].arguments if argument not in found]
-        return tuple(symbol for symbol in found if symbol not in self.definitions and symbol.quantity.varies)
+        return tuple(dict.fromkeys(a for part in parts for a in symbols(part) if a.quantity.varies))
 
     def expanded(self, statement: Term) -> Term:
         return expanded(statement, self.abbreviations)
@@ -122,7 +111,7 @@ class Entry(Typeset):
         return f"<Equation ({self.number}): {self.title}>"
 
     def __reduce_ex__(self, protocol: Any) -> Any:
-        """Return the place of an entry whose definitions have functions, which pickle refuses."""
+        """Return the place of an entry whose file defines its operators, which another process may not have read."""
         return super().__reduce_ex__(protocol) if self.home is None else (self.home, (self.source, self.number))
 
     def _typeset(self) -> str:

@@ -1,23 +1,22 @@
 """Equations of a file that follows the text of a paper: lines, readings, stated conditions and printed forms.
 
-A file with ``conditions = "stated"`` in its table [paper] is such a transcript. Its definitions are definitions of its
-entries, so that a statement stands as printed. Each condition is tested on both sides, and none is searched for.
+A file with ``conditions = "stated"`` in its table [paper] is such a transcript. Its statements stand as printed, with
+names in place of what they mean. Each condition is tested on both sides, and none is searched for.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass, replace
+from collections.abc import Mapping
+from dataclasses import dataclass
 from typing import Any
 
 from .equation import Entry, Reading
 from .extracted import Latex
 from .language.claims import statement
-from .language.environment import Definition, Env, let
 from .language.matrices import unlike
-from .language.names import CALL, CALLS, ClaimError, Scope
+from .language.names import ClaimError, Scope
 from .language.operator_table import equal, nonzero, words
-from .language.printed import Apply, Number, Symbol, Term, Trait, shown_as, symbols, walk, with_trait
+from .language.printed import Apply, Number, Symbol, Term, Trait, shown_as, walk
 from .numbers.kinds import ORDER
 
 READING_KEYS = ("claim", "note", "supported_by")
@@ -46,17 +45,11 @@ class Transcript:
         domain, condition, corrected, because = (
             self._read(row, key) if key in row else None for key in ("domain", "condition", "corrected", "because")
         )
-        found = (*(r.statement for r in readings), domain, condition, corrected, because)
-        parts = [part for part in found if part is not None]
-        definitions = dict(self._definitions(parts)).values()
-        inside = [*parts, *(body for _, body in definitions)]
         line = row.get("line", 0)
         return Entry(
             row["number"], readings, line=line, extract=row.get("extract") or Latex(row.get("latex", "")),
-            where=tuple(definition for definition, _ in definitions), claimed=domain, condition=_sharp(condition),
-            corrected=corrected, because=because, orders=_orders(domain), moving=bool(with_trait(Trait.RATE, *inside)),
-            source=self.source, at=self._section(line),
-            abbreviations=self.scope.abbreviations,
+            claimed=domain, condition=_sharp(condition), corrected=corrected, because=because, orders=_orders(domain),
+            source=self.source, at=self._section(line), abbreviations=self.scope.abbreviations,
             **{key: row[key] for key in WORDS if key in row},
         )  # fmt: skip
 
@@ -68,32 +61,6 @@ class Transcript:
 
     def _section(self, line: int) -> str:
         return f"section {sum(first <= line for first in self.sections)}" if self.sections else ""
-
-    def _definitions(self, statements: Iterable[Term]) -> Iterator[tuple[Symbol, tuple[Definition, Term]]]:
-        """Yield the definitions that statements use, and those that these use, by symbol and with their terms."""
-        for call in (node for part in statements for node in walk(part) if node.operator.name.startswith(CALL)):
-            called, kinds = self.scope.abbreviations[str(call.arguments[0].args[3])], CALLS[call.operator.name]
-            body = called.known[kinds][0]
-            yield (symbol := called.symbol(kinds)), (_definition(symbol, called.symbols(), body), body)
-            yield from self._definitions([body])
-
-
-@dataclass(frozen=True)
-class _Meaning:
-    """Meaning of a name: the value of a term, or a function of its parameters."""
-
-    parameters: tuple[Symbol, ...]
-    body: Term
-
-    def __call__(self, env: Env) -> Any:
-        def called(*values: Any) -> Any:
-            return replace(env, values={**env.values, **dict(zip(self.parameters, values))}).value(self.body)
-
-        return called if self.parameters else env.value(self.body)
-
-
-def _definition(symbol: Symbol, parameters: tuple[Symbol, ...], body: Term) -> Definition:
-    return let(symbol, _Meaning(parameters, body), *(a for a in symbols(body) if a.quantity.varies))
 
 
 def _orders(domain: Term | None) -> tuple[int, ...] | None:

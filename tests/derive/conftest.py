@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import random
 from collections.abc import Callable, Iterator
-from fractions import Fraction
 
 import mpmath
 import pytest
@@ -12,7 +11,7 @@ from hypothesis import HealthCheck, settings
 
 from derive.algebra import Dual, Structure, Vector, dual_part, real_part
 from derive.codegen.targets import TARGETS
-from tests.support.altered_maps import mutations, stated  # noqa: F401 (fixtures)
+from tests.support.altered_maps import stated  # noqa: F401 (a fixture)
 from tests.support.packages import unvalidated
 
 settings.register_profile("untimed", deadline=None, suppress_health_check=[HealthCheck.too_slow])
@@ -45,20 +44,6 @@ def draw() -> Callable[..., Vector]:
             return [mpmath.mpf(rng.uniform(-scale, scale)) for _ in range(3)]
 
         return Vector.dual(part(size), part(4))
-
-    return vector
-
-
-@pytest.fixture
-def draw_exact() -> Callable[[], Vector]:
-    """Draw a dual vector with small fractions as components."""
-    rng = random.Random(111)
-
-    def vector() -> Vector:
-        def part() -> list[Fraction]:
-            return [Fraction(rng.randint(-7, 7), rng.randint(1, 5)) for _ in range(3)]
-
-        return Vector.dual(part(), part())
 
     return vector
 

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import os
-import signal
 import subprocess
 import sys
 import tempfile
@@ -13,7 +11,6 @@ import pytest
 
 from derive.workers import PREFIX, scratch
 from tests.support.command import ROOT
-from tests.support.staying import until
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="Windows has no locks of folders")
 
@@ -57,15 +54,3 @@ def test_folder_of_a_process_stays_while_it_lives_and_goes_when_it_was_killed(te
     with scratch():
         pass
     assert {path.name for path in temporary.iterdir()} == others
-
-
-def test_a_killed_run_leaves_nothing_after_the_next_one(temporary: Path) -> None:
-    command = [sys.executable, "-m", "derive", "generate", "-n", "1", "--target", "c", "-o", str(temporary / "kernels")]
-    run = subprocess.Popen(command, cwd=ROOT, start_new_session=True)
-    until(lambda: any(path.is_file() for path in temporary.glob(f"{PREFIX}*/*")) or run.poll() is not None)
-    os.kill(run.pid, signal.SIGKILL)
-    assert run.wait() == -signal.SIGKILL
-    assert list(temporary.glob(f"{PREFIX}*"))
-    with scratch():
-        pass
-    assert not [path.name for path in temporary.iterdir() if path.name != "kernels"]

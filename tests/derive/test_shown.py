@@ -10,7 +10,6 @@ import re
 import shutil
 import subprocess
 import sys
-from collections.abc import Callable
 from fractions import Fraction
 from functools import cache, cached_property
 from pathlib import Path
@@ -84,8 +83,13 @@ def test_list_is_a_table_in_a_notebook(found) -> None:
     assert Listing[Proof]()._repr_html_() == '<table class="mathjax_process">\n</table>'
 
 
+@cache
+def compared() -> Any:
+    return derive.compare([2], ["lambert"])
+
+
 def test_comparison_is_a_table_with_figures() -> None:
-    rows = derive.compare([2], ["lambert"])
+    rows = compared()
     cells = [row.cells() for row in rows]
     assert [(row["chart"], row["edge/π"]) for row in cells] == [("cayley2", "2"), ("lambert", "2")]
     assert cells[0]["condition of Re T at π"] == "1"  # n = 2 is conformal
@@ -138,9 +142,8 @@ def test_less_than_sign_is_escaped() -> None:
 def charts() -> list[Any]:
     n = sympy.Symbol("n", integer=True, positive=True)
     return [
-        derive.Cayley(3), derive.Cayley(n), derive.Cayley(n + 1),
-        *map(derive.family, ("lambert", "breusing", "exponential", "scaled3", "sine7", "reduced_euler_rodrigues")),
-        *map(derive.Parameterization, ("alpha/(1 + alpha**2/40)", "alpha + alpha**3/100", "3*sin(alpha/6)/2")),
+        derive.Cayley(3), derive.Cayley(n + 1), *map(derive.family, ("lambert", "breusing", "exponential", "scaled3")),
+        *map(derive.Parameterization, ("alpha/(1 + alpha**2/40)", "3*sin(alpha/6)/2")),
     ]  # fmt: skip
 
 
@@ -153,30 +156,26 @@ def maps() -> list[Any]:
 def results() -> tuple[Any, ...]:
     """Return an object of each public type that is no chart and no map, among them failed proofs and errata."""
     failed = STATED[2].with_claim(0, STATED[2].claim[0].altered()).decide({})
-    verified = derive.verify("karakilic-2010", ["14", "22"])
+    verified = derive.verify("karakilic-2010", ["14"])
     return (
         *theorems(), *derive.family("exponential").prove(), *derive.Cayley(2).prove()[-3:], failed, *verified,
         *(result.equation for result in verified), *(result.verdicts[0] for result in verified),
         derive.explain(derive.Cayley(2), "pose"), derive.motion_equation("90", 2), derive.motion_equation("70"),
-        *derive.compare([2], ["lambert"]), Package({"a": "b"}, ()),
+        *compared(), Package({"a": "b"}, ()),
     )  # fmt: skip
 
 
-COPIES: list[Callable[[Any], Any]] = [copy.copy, copy.deepcopy, lambda item: pickle.loads(pickle.dumps(item))]
-
-
-@pytest.mark.parametrize("copied", COPIES)
-def test_public_objects_are_copied_pickled_and_hashed(copied: Callable[[Any], Any]) -> None:
+def test_public_objects_are_copied_pickled_and_hashed() -> None:
     for item in (*charts(), *maps(), *results()):
-        other = copied(item)
-        assert type(other) is type(item)
-        assert other == item
-        assert hash(other) == hash(item)
-        assert repr(other) == repr(item)
-        assert sympy.latex(other) == sympy.latex(item)
+        shown = hash(item), repr(item), sympy.latex(item)
+        for other in (copy.copy(item), copy.deepcopy(item), pickle.loads(pickle.dumps(item))):
+            assert type(other) is type(item)
+            assert other == item
+            assert (hash(other), repr(other), sympy.latex(other)) == shown
     for chart in charts():
-        assert copied(chart).tangent.coefficients == chart.tangent.coefficients
-        assert callable(copied(chart).prove)
+        other = pickle.loads(pickle.dumps(chart))
+        assert other.tangent.coefficients == chart.tangent.coefficients
+        assert callable(other.prove)
 
 
 def test_failed_proof_keeps_its_failures_in_copies() -> None:

@@ -219,7 +219,9 @@ def tables(corner: str) -> dict[str, dict[str, str]]:
     return cells
 
 
-@pytest.mark.parametrize("library", LIBRARIES)
+@pytest.mark.parametrize(
+    "library", [pytest.param(name, marks=pytest.mark.thorough if name == "jaxlie" else ()) for name in LIBRARIES]
+)
 def test_page_says_what_the_library_does(library: str) -> None:
     row = LIBRARIES[library]()
     assert tables("library")[library] == {column: word(column, value) for column, (_, value) in row.items()}

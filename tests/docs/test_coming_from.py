@@ -69,7 +69,9 @@ def test_names_of_dualcay_have_values(page: str) -> None:
         assert np.isfinite(eval(ours, dict(names))).all(), ours
 
 
-@pytest.mark.parametrize("page", LIBRARIES)
+@pytest.mark.parametrize(
+    "page", [pytest.param(name, marks=pytest.mark.thorough if name == "jaxlie" else ()) for name in LIBRARIES]
+)
 def test_both_columns_agree(page: str) -> None:
     names = named()
     with jax.enable_x64(True) if page == "jaxlie" else contextlib.nullcontext():

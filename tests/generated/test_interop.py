@@ -21,6 +21,7 @@ from scipy.spatial.transform import RigidTransform
 import derive
 import dualcay
 from dualcay import cayley1, cayley2, cayley3, exponential, interop, lambert, rotation, scaled2
+from tests.support import traced
 from tests.support.libraries import jax, jaxlie
 
 POSES = (cayley1, cayley2, cayley3, exponential, lambert, scaled2)
@@ -110,14 +111,17 @@ def test_messages_of_ros(kind: str, names: str) -> None:
 
 
 def test_twists_of_jaxlie() -> None:
-    with jax.enable_x64(True):
+    def found(T: Any, step: Any) -> Any:
         pose = jaxlie.SE3.from_matrix(T)
-        assert_same(pose.log(), interop.to_linear_angular(exponential.from_pose(T)))
-        assert_same(pose.adjoint(), interop.to_linear_angular_matrix(cayley2.adjoint(V)))
-        moved = pose @ jaxlie.SE3.exp(interop.to_linear_angular(TWIST / 10))
-        assert_same(moved.as_matrix(), cayley2.pose(cayley2.body_retract(V, TWIST / 10)))
-        assert_same(interop.from_linear_angular(np.asarray(pose.log())), exponential.from_pose(T))
-        assert_same(interop.from_linear_angular_matrix(np.asarray(pose.adjoint())), cayley2.adjoint(V))
+        return pose.log(), pose.adjoint(), (pose @ jaxlie.SE3.exp(step)).as_matrix()
+
+    with jax.enable_x64(True):
+        log, adjoint, moved = traced.run(found, T, interop.to_linear_angular(TWIST / 10))
+    assert_same(log, interop.to_linear_angular(exponential.from_pose(T)))
+    assert_same(adjoint, interop.to_linear_angular_matrix(cayley2.adjoint(V)))
+    assert_same(moved, cayley2.pose(cayley2.body_retract(V, TWIST / 10)))
+    assert_same(interop.from_linear_angular(log), exponential.from_pose(T))
+    assert_same(interop.from_linear_angular_matrix(adjoint), cayley2.adjoint(V))
 
 
 def test_twists_of_pytransform3d_have_the_order_of_this_package() -> None:
@@ -186,7 +190,13 @@ def matrix_cayley(real: list[Any], translation: list[Any], order: int, scale: An
     return ((unit - A).inv() * (unit + A)) ** order
 
 
-@pytest.mark.parametrize(("name", "order", "scale"), [*((f"cayley{n}", n, 1) for n in range(1, 6)), ("scaled3", 3, 6)])
+@pytest.mark.parametrize(
+    ("name", "order", "scale"),
+    [
+        ("cayley3", 3, 1), ("scaled1", 1, 2),
+        *(pytest.param(f"cayley{n}", n, 1, marks=pytest.mark.thorough) for n in (1, 2, 4, 5)),
+    ],
+)  # fmt: skip
 def test_cayley_vectors_of_4x4_matrices_as_identity(name: str, order: int, scale: int) -> None:
     """Decide the equality as rational functions; both maps turn with the frame, so the third axis may lie along v."""
     r, a, b, c = sympy.symbols("r a b c")

@@ -12,21 +12,20 @@ import pytest
 
 from derive.codegen.signatures import PUBLIC, ROTATIONS
 from dualcay import _runtime
-from tests.support import cases, errors, kernels, packages, sampling
+from tests.support import cases, errors, kernels, packages, sampling, thorough
 from tests.support.kernels import load
 from tests.support.nilpotent import Nil
 from tests.support.oracle import oracle_of
 from tests.support.trial import FUNCTIONS, Trial
 
-OTHER_ORDERS = (7, 11, 12) if "native" not in kernels.BACKENDS else ()
+OTHER_ORDERS = (11, 12) if "native" not in kernels.BACKENDS else ()
 """Orders that are not committed, and so have no compiled functions."""
 WHOLE = 3
-"""Order at which every other function is tried in a regime. Others take fewer in turn, since geometry is one text."""
-SHARE = 6
+"""Order at which most functions are tried in a regime. Others take fewer in turn, since geometry is one text."""
 
 REACHED = [(n, regime) for n in (1, 2, 3, 8) for regime in sampling.REGIMES if sampling.has_regime(n, regime)]
 CASES = [(n, regime, table) for n, regime in REACHED for table in ("", ROTATIONS.name)]
-CASES += [(n, regime, "") for n, regime in zip(OTHER_ORDERS[:2] * 7, sampling.REGIMES, strict=False)]
+CASES += [(n, regime, "") for n, regime in zip(OTHER_ORDERS * 7, sampling.REGIMES, strict=False)]
 
 
 @pytest.fixture(scope="module")
@@ -38,20 +37,20 @@ QUICK = (2, WHOLE, *OTHER_ORDERS)
 """Orders of normal runs."""
 
 
+@thorough.shares(6, 12)
 @pytest.mark.parametrize(
     ("order", "regime", "table"),
     [pytest.param(*case, marks=() if case[0] in QUICK else pytest.mark.thorough) for case in CASES],
 )
-def test_every_function_agrees_with_the_oracle(folder: Path, order: int, regime: str, table: str) -> None:
+def test_every_function_agrees_with_the_oracle(folder: Path, order: int, regime: str, table: str, share: int) -> None:
     """Functions with slow exact values have one vector, others three, with another largest component each."""
     trials = [Trial(load(order, folder, table), order, regime, count=count) for count in (1, 3)]
-    rows, share = list(trials[0].chart.table.public.values()), SHARE // (1 + 2 * (order == WHOLE))
-    for row in rows[CASES.index((order, regime, table)) % share :: share]:
+    rows, every = list(trials[0].chart.table.public.values()), share // (1 + 2 * (order == WHOLE))
+    for row in rows[CASES.index((order, regime, table)) % every :: every]:
         trials[row.source in FUNCTIONS].check(row.name)
 
 
-@pytest.mark.parametrize("dtype", [np.float32, np.longdouble])
-@pytest.mark.parametrize("order", [2, 3])
+@pytest.mark.parametrize(("order", "dtype"), thorough.in_turn([2, 3], [np.longdouble, np.float32]))
 def test_other_float_types(order: int, dtype: type) -> None:
     """Few cases suffice, since all types run the same programs."""
     for place, regime in enumerate(("uniform", "middle band", "below pi", "shadow")):
@@ -85,15 +84,16 @@ def test_complex_vectors_are_the_analytic_continuation(name: str, dtype: type, o
         assert max(errors.errors(got, exact, scale, oracle)) <= COMPLEX
 
 
+@thorough.shares(1, 3)
 @pytest.mark.parametrize("table", ["", ROTATIONS.name], ids=["poses", "rotations"])
-def test_relative_error_of_1e_12_fails_the_trial(table: str) -> None:
-    """Control: errors of every function are noticed."""
+def test_relative_error_of_1e_12_fails_the_trial(table: str, share: int) -> None:
+    """Control: errors of functions are noticed."""
     module = load(3, table=table)
     known = {name: getattr(module, name) for name in ("CHART", "__name__", "identity", "singular_angles")}
     off = SimpleNamespace(**{name: slightly_off(getattr(module, name)) for name in module.__all__ if name.islower()})
     vars(off).update(known)
     tried = Trial(off, 3, "uniform", count=2)  # regime with different results in every row
-    for name in tried.chart.table.public:
+    for name in list(tried.chart.table.public)[::share]:
         assert any(call.judged() for call in tried.calls(name)), name
 
 
@@ -110,15 +110,16 @@ def slightly_off(function: Callable[..., Any]) -> Callable[..., Any]:
     return call
 
 
-def test_kept_cases_stay_within_their_gates(folder: Path) -> None:
+@thorough.shares(1, 4)
+def test_kept_cases_stay_within_their_gates(folder: Path, share: int) -> None:
     """The worst inputs found; those of high orders are tried where kernels are measured."""
-    for case in cases.read()[0]:
+    for case in cases.read()[0][::share]:
         if case.order in (*kernels.ORDERS, *OTHER_ORDERS):
             assert case.call(load(case.order, folder, case.table)).judged() == ""
 
 
 @pytest.mark.parametrize(("dtype", "size"), [(np.float32, 1e4), (np.float64, 5e37)])
-@pytest.mark.parametrize("order", OTHER_ORDERS[1:])
+@pytest.mark.parametrize("order", OTHER_ORDERS)
 def test_orders_above_eight_overflow_beyond_the_fourth_power_of_one_plus_x(
     folder: Path, order: int, dtype: type, size: float
 ) -> None:

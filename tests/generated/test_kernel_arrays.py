@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import inspect
+import itertools
 import re
 from functools import partial
 from types import ModuleType
@@ -12,14 +13,23 @@ import pytest
 
 import dualcay
 from dualcay import _kernel, _runtime
-from tests.support import sampling
+from tests.support import sampling, thorough
 from tests.support.kernels import ALIKE, orders
 from tests.support.layouts import BATCHES as BATCHES_OF_ONE
 from tests.support.layouts import require_strides_of_one_ignored
-from tests.support.signatures import SHAPES, SIGNATURES, assert_nearly_equal, components_last, inputs, rows_of
+from tests.support.signatures import (
+    KINDS,
+    SHAPES,
+    SIGNATURES,
+    assert_nearly_equal,
+    components_last,
+    inputs,
+    rows_of,
+)
 
-FUNCTION = pytest.mark.parametrize("name", SIGNATURES)
-OF_TWO = pytest.mark.parametrize("name", [f for f, s in SIGNATURES.items() if len(s.arguments) == 2])
+FUNCTION = pytest.mark.parametrize("name", thorough.sampled(SIGNATURES, KINDS.values()))
+OF_TWO = [name for name, row in SIGNATURES.items() if len(row.arguments) == 2]
+FUNCTION_OF_TWO = pytest.mark.parametrize("name", thorough.sampled(OF_TWO, KINDS.values()))
 BATCHES = [(), (1,), (7,), (2, 3), (2, 1, 4)]
 EMPTY = [(0,), (3, 0), (0, 2)]
 order = orders(ALIKE)
@@ -65,50 +75,38 @@ def test_recorded_program_agrees_with_single_poses_and_any_block_size(
                 assert_nearly_equal(whole, alone, 64)
             patch.setattr(_kernel, "PREPARED_MAX", -1)
             np.testing.assert_array_equal(getattr(kernel, name)(*arguments), whole)  # blocks: equal in every bit
-            for size in (1, 3, 12):
+            for size in (3, 12):
                 patch.setattr(_kernel, "BLOCK", size)
                 assert_nearly_equal(getattr(kernel, name)(*arguments), whole)
                 assert_nearly_equal(by_rows(kernel, name, arguments), whole)
 
 
-@pytest.mark.parametrize("batch", [(), (1,), (7,), (0,), (3, 0), (5, 7), (4, 3, 2), (2, 100), (100, 2), (3, 17, 5)])
-@pytest.mark.parametrize("size", [1, 4, 10, 64, 1000])
-def test_blocks_cover_a_batch_once(batch: tuple[int, ...], size: int) -> None:
-    seen = np.zeros(batch, int)
-    for index in _kernel.blocks(batch, size):
-        assert seen[(*index, ...)].size <= size
-        seen[(*index, ...)] += 1
-    assert (seen == 1).all()
+def test_blocks_cover_a_batch_once() -> None:
+    batches = [(), (1,), (7,), (0,), (3, 0), (5, 7), (4, 3, 2), (2, 100), (100, 2), (3, 17, 5)]
+    for batch, size in itertools.product(batches, (1, 4, 10, 64, 1000)):
+        seen = np.zeros(batch, int)
+        for index in _kernel.blocks(batch, size):
+            assert seen[(*index, ...)].size <= size
+            seen[(*index, ...)] += 1
+        assert (seen == 1).all(), (batch, size)
 
 
-def test_nested_call_has_its_own_scratch() -> None:
-    scratch = _kernel.Scratch()
-    outer, inner = scratch.take(1000), scratch.take(1000)
-    assert not np.may_share_memory(outer, inner)
-    assert outer.ctypes.data % _kernel.CACHE_LINE == inner.ctypes.data % _kernel.CACHE_LINE == 0
-    scratch.give_back(inner)
-    assert np.may_share_memory(scratch.take(500), inner)
+BROADCAST = [
+    ((5, 1), (4,), (5, 4)), ((), (3,), (3,)), ((3,), (), (3,)), ((2, 1, 3), (1, 4, 1), (2, 4, 3)), ((1,), (0,), (0,)),
+]  # fmt: skip
 
 
-@OF_TWO
-@pytest.mark.parametrize(
-    ("first", "second", "shape"),
-    [((5, 1), (4,), (5, 4)), ((), (3,), (3,)), ((3,), (), (3,)), ((2, 1, 3), (1, 4, 1), (2, 4, 3)), ((1,), (0,), (0,))],
-    ids=str,
-)
-def test_leading_axes_broadcast(kernel: ModuleType, order: int, name: str, first, second, shape) -> None:
+@FUNCTION_OF_TWO
+def test_leading_axes_broadcast_or_are_refused(kernel: ModuleType, order: int, name: str) -> None:
     kinds = SIGNATURES[name].arguments
-    a, b = inputs(kernel, name, order, first)[0], inputs(kernel, name, order, second)[1]
-    result = getattr(kernel, name)(a, b)
-    assert result.shape == shape + SIGNATURES[name].result
-    full = [np.array(np.broadcast_to(x, shape + SHAPES[kind])) for x, kind in zip((a, b), kinds, strict=True)]
-    assert_nearly_equal(result, getattr(kernel, name)(*full))
-    assert_nearly_equal(by_rows(kernel, name, [a, b]), result)
-
-
-@OF_TWO
-def test_batches_that_do_not_broadcast_are_refused(kernel: ModuleType, order: int, name: str) -> None:
-    a, b = (np.zeros((count, *SHAPES[kind])) for count, kind in zip((3, 4), SIGNATURES[name].arguments, strict=True))
+    for first, second, shape in BROADCAST:
+        a, b = inputs(kernel, name, order, first)[0], inputs(kernel, name, order, second)[1]
+        result = getattr(kernel, name)(a, b)
+        assert result.shape == shape + SIGNATURES[name].result
+        full = [np.array(np.broadcast_to(x, shape + SHAPES[kind])) for x, kind in zip((a, b), kinds, strict=True)]
+        assert_nearly_equal(result, getattr(kernel, name)(*full))
+        assert_nearly_equal(by_rows(kernel, name, [a, b]), result)
+    a, b = (np.zeros((count, *SHAPES[kind])) for count, kind in zip((3, 4), kinds, strict=True))
     for given, axis in (((a, b), -1), ((a.T, b.T), 0)):
         with pytest.raises(ValueError, match=r"\(3,\).*\(4,\)"):
             getattr(kernel, name)(*given, axis=axis)
@@ -118,8 +116,7 @@ def test_batches_that_do_not_broadcast_are_refused(kernel: ModuleType, order: in
 @pytest.mark.parametrize("axis", [-1, 0])
 def test_strided_and_read_only_arrays_are_read_and_kept(kernel: ModuleType, order: int, name: str, axis: int) -> None:
     arguments = inputs(kernel, name, order, (6, 4))
-    if axis == 0:
-        arguments = rows_of(name, arguments)
+    arguments = rows_of(name, arguments) if axis == 0 else arguments
     expected = getattr(kernel, name)(*arguments, axis=axis)
     strided = [np.repeat(np.repeat(a, 2, 0), 2, -1)[::2, ..., ::2] for a in arguments]
     turned = [np.ascontiguousarray(a[..., ::-1])[..., ::-1] for a in arguments]
@@ -244,13 +241,7 @@ def test_screws_broadcast(kernel: ModuleType, order: int) -> None:
         kernel.to_screw(np.zeros(5))
 
 
-@pytest.mark.parametrize("shape", [(3, 3), (2, 3, 2), (6, 6), (3, 3, 3), (18,)])
-def test_matrix6_names_a_wrong_shape(shape: tuple[int, ...]) -> None:
-    with pytest.raises(ValueError, match=re.escape(str(shape))):
-        dualcay.matrix6(np.zeros(shape))
-
-
-def test_matrix6_acts_on_twists_as_the_dual_tensor_does(order: int, kernel: ModuleType) -> None:
+def test_matrix6_acts_on_twists_as_the_dual_tensor_does_and_names_a_wrong_shape(order: int, kernel: ModuleType) -> None:
     d = kernel.tangent(sampling.poses(order, "uniform", count=6).reshape(2, 3, 6))
     m = dualcay.matrix6(d)
     assert m.shape == (2, 3, 6, 6)
@@ -259,3 +250,6 @@ def test_matrix6_acts_on_twists_as_the_dual_tensor_does(order: int, kernel: Modu
     np.testing.assert_array_equal(m[..., 3:, 3:], d[..., 0, :, :])
     np.testing.assert_array_equal(m[..., 3:, :3], d[..., 1, :, :])
     np.testing.assert_array_equal(m[..., :3, 3:], 0)
+    for shape in ((3, 3), (2, 3, 2), (6, 6), (3, 3, 3), (18,)):
+        with pytest.raises(ValueError, match=re.escape(str(shape))):
+            dualcay.matrix6(np.zeros(shape))

@@ -51,17 +51,6 @@ def test_from_screw_takes_any_angle(kernel: ModuleType, order: int) -> None:
         np.testing.assert_allclose(turned, kernel.shadow(there, k), rtol=1e-9, atol=1e-11)
 
 
-def test_screw_of_a_translation_and_of_the_identity(kernel: ModuleType, order: int) -> None:
-    v = np.array([0, 0, 0, 0.0, -3.0, 4.0])
-    angle, axis = kernel.to_screw(v)
-    np.testing.assert_allclose(angle, [0, 10 * order], rtol=4 * EPS)
-    np.testing.assert_allclose(axis, [0, -0.6, 0.8, 0, 0, 0], rtol=4 * EPS)
-    np.testing.assert_allclose(kernel.from_screw(angle, axis), v, rtol=8 * EPS)
-    angle, axis = kernel.to_screw(np.zeros(6))
-    np.testing.assert_array_equal(angle, [0, 0])
-    assert np.isnan(axis).all()
-
-
 TINY, SMALL = 1e-300, 1e-6
 
 

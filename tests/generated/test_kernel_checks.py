@@ -51,11 +51,7 @@ def test_check_tolerance_is_the_square_root_of_eps(kernels: str, name: str, dtyp
 
 LIMITED: list[tuple[Callable[..., Any], tuple[Any, ...]]] = [
     (cayley3.from_pose, (np.diag([1.005, 1, 1, 1]),)),
-    (cayley3.from_quaternion, ([1.005, 0, 0, 0, 0, 0, 0, 0],)),
-    (cayley3.from_tensor, ([np.diag([1.005, 1, 1]), np.zeros((3, 3))],)),
     (cayley3.from_screw, ([0.3, 0], [1.005, 0, 0, 0, 0, 0])),
-    (rotation.cayley3.from_quaternion, ([1.005, 0, 0, 0],)),
-    (rotation.cayley3.from_tensor, (np.diag([1.005, 1, 1]),)),
     (rotation.cayley3.from_angle_axis, (0.3, [1.005, 0, 0])),
     (partial(interop.from_ros, cayley3), ([1, 2, 3], [0, 0, 0, 1.005])),
 ]
@@ -124,15 +120,6 @@ def test_scalar_last_quaternions(kernel: ModuleType, order: int, axis: int, shap
     out = np.empty_like(q)
     assert kernel.quaternion(v, axis=axis, out=out, scalar_first=False) is out
     np.testing.assert_array_equal(out, last)
-
-
-def test_identity_with_scalar_last_needs_the_keyword(kernel: ModuleType, order: int) -> None:
-    """Read the identity with the scalar first: it is a valid quaternion of half a turn, which no check refuses."""
-    identity = np.array([0.0, 0, 0, 1, 0, 0, 0, 0])
-    np.testing.assert_array_equal(kernel.from_quaternion(identity, scalar_first=False, check=True), np.zeros(6))
-    if order > 1:
-        angle, _ = kernel.to_screw(kernel.from_quaternion(identity, check=True))
-        np.testing.assert_allclose(angle[0], np.pi)
 
 
 def test_scalar_last_refuses_the_same_arguments(kernel: ModuleType) -> None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-import math
+import importlib
 from types import ModuleType
 
 import numpy as np
@@ -13,46 +13,25 @@ from derive.codegen.signatures import POSES
 from dualcay import cayley3, exponential, orthographic
 from dualcay._interface import PoseKernels
 from dualcay._multiple import multiple
-from tests.support import families, sampling
-
-
-@pytest.fixture(params=FAMILIES)
-def name(request: pytest.FixtureRequest) -> str:
-    return str(request.param)
-
+from tests.support import families, sampling, thorough
 
 LEFT = (0.2, 0.1, 3e-2, 3e-3, 1e-4)  # distances from the edge, as shares of the edge angle
 EDGES = [(name, LEFT[i % 5]) for i, name in enumerate(FAMILIES) if name != "exponential"]
 
 
-@pytest.mark.parametrize(("name", "left"), EDGES)
-def test_steps_next_to_an_edge_stay_within_gates(name: str, kernels: ModuleType, left: float):
+@pytest.mark.parametrize("place", thorough.sampled(EDGES, EDGES[::2]), ids=str)
+def test_steps_next_to_an_edge_stay_within_gates(place: tuple[str, float]):
     """Test steps at a distance from the edge of each chart.
 
     Next to an edge with φ′ = 0, x hardly determines the angle, and T is nearly singular. Next to a pole, the rounded
     angle hardly determines v: steps from this angle have errors of 0.2 eps over the share.
     """
-    oracle = families.oracle_of(name)
+    name, left = place
+    oracle, kernels = families.oracle_of(name), importlib.import_module(f"dualcay.{name}")
     angle, steps = families.edge_of(name) * (1 - left), sampling.dual_vectors(f"{name} {left}", count=2)
     v, delta = families.vectors(oracle, angle, angle, 2), steps * np.array([left] * 3 + [1] * 3)
     for function in families.STEPS:
         families.require(kernels, oracle, function, [v, delta])
-
-
-def test_exponential_has_a_branch_for_every_turn():
-    """Expect the angle α + 2πk on branch k, to 8 eps of the larger angle, and only branch 0 at the identity."""
-    v = np.array([0.3, -0.6, 0.2, 1.0, 0.5, -2.0])
-    u = v[:3] / np.linalg.norm(v[:3])
-    for k in (-3, -1, 1, 2, 50):
-        there = exponential.shadow(v, k)
-        np.testing.assert_allclose(there[:3], v[:3] + 2 * math.pi * k * u, rtol=8 * np.finfo(float).eps)
-        close = {"rtol": 0, "atol": 8 * np.finfo(float).eps * (1 + 7 * abs(k)) ** 2}  # v° grows with the square of |v|
-        np.testing.assert_allclose(exponential.principal(there), v, **close)
-        np.testing.assert_allclose(exponential.pose(there), exponential.pose(v), **close)
-    assert np.isnan(exponential.shadow(np.zeros(6), 1)).all()
-    assert (exponential.shadow(np.zeros(6), 0) == 0).all()
-    with pytest.raises(TypeError, match="branch must be an integer"):
-        exponential.shadow(v, 0.5)
 
 
 @pytest.mark.parametrize("dtype", [np.float32, np.float64, np.longdouble])

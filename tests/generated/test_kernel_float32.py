@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import importlib
+import itertools
 import operator
 from collections.abc import Iterator
 from types import ModuleType
@@ -15,11 +16,11 @@ from derive.about import FAMILIES, ORDERS
 from derive.codegen.rows import Function
 from derive.codegen.signatures import POSES, ROTATIONS
 from dualcay import _numbers
-from tests.support import sampling
+from tests.support import sampling, thorough
 
 CHARTS = [f"cayley{n}" for n in ORDERS if n > 1] + [name for name in FAMILIES if name != "scaled1"]
 """Charts with a vector at half a turn."""
-SAMPLE = ("cayley2", "exponential", "orthographic", "lambert")
+SAMPLE = [("cayley2", "rotation."), ("exponential", ""), ("orthographic", ""), ("lambert", "rotation.")]
 EPS = float(np.finfo(np.float32).eps)
 NEARLY = EPS**0.5
 """Allowed share of a result: far above rounding, far below the distance to another branch."""
@@ -122,10 +123,9 @@ def wrong(name: str, folder: str) -> Iterator[str]:
                     yield f"{row.name}{arguments}: {found}, {few} in a batch"
 
 
-@pytest.mark.parametrize("folder", ["", "rotation."], ids=["poses", "rotations"])
-@pytest.mark.parametrize("name", [pytest.param(c, marks=[pytest.mark.thorough] * (c not in SAMPLE)) for c in CHARTS])
-def test_rounding_changes_no_branch(name: str, folder: str) -> None:
-    assert list(wrong(name, folder)) == []
+@pytest.mark.parametrize("chart", thorough.sampled(itertools.product(CHARTS, ("", "rotation.")), SAMPLE))
+def test_rounding_changes_no_branch(chart: tuple[str, str]) -> None:
+    assert list(wrong(*chart)) == []
 
 
 @pytest.mark.parametrize("size", [1.0, 64.0, 0.0, 0.7, 3.1e-30])

@@ -2,18 +2,20 @@
 
 from __future__ import annotations
 
+import itertools
 import re
 from types import ModuleType
 
 import numpy as np
 import pytest
 
-from dualcay import _kernel, _runtime
+from dualcay import _kernel
+from tests.support import thorough
 from tests.support.kernels import ALIKE, load, orders
-from tests.support.signatures import SIGNATURES, assert_nearly_equal, inputs, rows_of
+from tests.support.signatures import KINDS, SIGNATURES, assert_nearly_equal, inputs, rows_of
 
 order = orders(ALIKE)
-FUNCTION = pytest.mark.parametrize("name", SIGNATURES)
+FUNCTION = pytest.mark.parametrize("name", thorough.sampled(SIGNATURES, KINDS.values()))
 AXIS = pytest.mark.parametrize("axis", [-1, 0])
 
 
@@ -38,16 +40,17 @@ def test_out_is_filled_and_returned(kernel: ModuleType, order: int, name: str, a
 
 OVERLAPPING = [(name, count) for count in (1, 50) for name in SIGNATURES]
 LONG = [(name, 17_000) for name in ("pose", "from_pose", "compose", "transform_point", "interpolate", "rate_jacobian")]
+FEW = [*itertools.product(KINDS.values(), (1, 50)), *LONG[::2]]
 
 
-@pytest.mark.parametrize(("name", "count"), [*OVERLAPPING, *LONG])
+@pytest.mark.parametrize("case", thorough.sampled([*OVERLAPPING, *LONG], FEW), ids=str)
 @AXIS
-def test_out_may_overlap_an_argument(name: str, axis: int, count: int) -> None:
+def test_out_may_overlap_an_argument(case: tuple[str, int], axis: int) -> None:
     """Start ``out`` before, at or after the argument in memory; elements must be read before they are overwritten.
 
     Long batches run in blocks that do not depend on the function: a sample of sizes of arguments and results suffices.
     """
-    kernel = load(3)
+    kernel, (name, count) = load(3), case
     arguments = [np.resize(a, (count, *a.shape[1:])) for a in inputs(kernel, name, 3, (min(count, 50),))]
     if axis == 0:
         arguments = rows_of(name, arguments)
@@ -62,17 +65,6 @@ def test_out_may_overlap_an_argument(name: str, axis: int, count: int) -> None:
             out = buffer[out_start : out_start + expected.size].reshape(expected.shape)
             assert getattr(kernel, name)(*given, axis=axis, out=out) is out
             assert_nearly_equal(out, expected)
-
-
-@pytest.mark.parametrize("name", [f for f, s in SIGNATURES.items() if s.arguments[0] in "vw" and s.result == (6,)])
-def test_arguments_are_updated_in_place(kernel: ModuleType, order: int, name: str) -> None:
-    arguments = inputs(kernel, name, order, (4,))
-    expected = getattr(kernel, name)(*arguments)
-    for i in (i for i, argument in enumerate(arguments) if argument.shape == expected.shape):
-        for step in (1, -1):
-            given = [a.copy() for a in arguments]
-            getattr(kernel, name)(*given, out=given[i][::step])
-            assert_nearly_equal(given[i][::step], expected)
 
 
 @FUNCTION
@@ -114,14 +106,6 @@ def test_rows_of_scratch_begin_on_a_cache_line() -> None:
             padded = _kernel._padded(cells, dtype)
             assert padded >= cells
             assert padded * dtype.itemsize % LINE == 0
-
-
-@pytest.mark.parametrize("shape", [(6,), (2, 3)])
-def test_single_poses_are_read_with_components_first_or_last(shape: tuple[int, ...]) -> None:
-    last = np.arange(30.0).reshape(5, *shape)
-    first = np.moveaxis(last, 0, -1)
-    for array, axis in ((last, -1), (first, 0)):
-        assert _runtime._poses(array, shape, (5,), axis, array.dtype) == last.reshape(5, 6).tolist()
 
 
 def test_dense_or_broadcast_rows_are_read_without_copying() -> None:

@@ -5,7 +5,6 @@ from __future__ import annotations
 import importlib
 import pickle
 import re
-from fractions import Fraction
 from types import ModuleType
 
 import numpy as np
@@ -44,63 +43,20 @@ def test_rotations_are_the_real_parts_of_pose_functions(chart: str) -> None:
         assert np.all(abs(found - wanted) <= ROUNDINGS * EPS * abs(wanted).max(initial=1)), name
 
 
-@pytest.mark.parametrize("chart", ["cayley1", "cayley2", "cayley8", "exponential", "lambert", "breusing", "scaled2"])
+@pytest.mark.parametrize("chart", ["cayley1", "exponential"])
 @pytest.mark.parametrize("shape", [(), (3,), (2, 30)])
-def test_laws_of_the_group_in_every_shape_and_layout(chart: str, shape: tuple[int, ...]) -> None:
+def test_angles_have_every_shape_and_layout(chart: str, shape: tuple[int, ...]) -> None:
     m, _ = pair(chart)
-    v, w = (m.random(shape, max_angle=2, rng=seed) for seed in (5, 6))
-    near = {"rtol": 0, "atol": 1e-12 * max(1, abs(v).max(), abs(w).max())}
-    np.testing.assert_allclose(m.tensor(m.compose(w, v)), m.tensor(w) @ m.tensor(v), rtol=0, atol=1e-12)
-    np.testing.assert_allclose(m.compose(v, m.between(w, v)), w, **near)
-    np.testing.assert_allclose(m.retract(v, m.local(w, v)), w, **near)
-    np.testing.assert_allclose(m.body_retract(v, m.body_local(w, v)), w, **near)
-    np.testing.assert_allclose(m.compose(m.inverse(v), v), np.zeros((*shape, 3)), **near)
-    np.testing.assert_allclose(m.from_tensor(m.tensor(v)), v, **near)
+    v = m.random(shape, max_angle=2, rng=5)
+    first, place, near = np.moveaxis(v, -1, 0), np.empty(shape), {"rtol": 0, "atol": 1e-12 * max(1, abs(v).max())}
     angle, axis = m.to_angle_axis(v)
     assert angle.shape == shape
     np.testing.assert_allclose(m.from_angle_axis(angle, axis), v, **near)
     np.testing.assert_allclose(m.angle(v), angle, rtol=0, atol=1e-12)
-    first = np.moveaxis(v, -1, 0)
     np.testing.assert_array_equal(m.angle(first, axis=0), m.angle(v))
-    np.testing.assert_allclose(m.quaternion(first, axis=0, scalar_first=False)[3], m.quaternion(v)[..., 0], rtol=1e-15)
-    place = np.empty(shape)
     assert m.angle(v, out=place) is place
     np.testing.assert_allclose(m.from_angle_axis(*m.to_angle_axis(first, axis=0), axis=0), first, **near)
-
-
-# --- textbook formulas ---------------------------------------------------------------------------------------------
-
-
-def skew(a: np.ndarray) -> np.ndarray:
-    x, y, z = a
-    return np.array([[0 * x, -z, y], [z, 0 * x, -x], [-y, x, 0 * x]])
-
-
-def exact(*numbers: str) -> np.ndarray:
-    return np.array([Fraction(number) for number in numbers], object)
-
-
-SIGMA, OMEGA = exact("1/5", "-2/7", "3/8"), exact("1", "-5/3", "1/2")
-
-
-def test_rates_of_modified_rodrigues_parameters_match_the_textbooks_exactly() -> None:
-    """Compare with σ̇ = ¼ [(1 − σ²) I + 2 [σ×] + 2 σ σᵀ] ω, ω in the body frame (Schaub & Junkins)."""
-    m, identity = dualcay.rotation.cayley2, exact(*"100010001").reshape(3, 3)
-    B = (1 - SIGMA @ SIGMA) * identity + 2 * skew(SIGMA) + 2 * np.outer(SIGMA, SIGMA)
-    assert np.all(m.body_rate(SIGMA, OMEGA) == B @ OMEGA / 4)
-    assert np.all(m.body_tangent_inv(SIGMA) == B / 4)
-    assert np.all(m.rate(SIGMA, OMEGA) == B.T @ OMEGA / 4)  # in the space frame, the cross product changes sign
-    assert np.all(m.shadow(SIGMA.astype(float)) == pytest.approx(-SIGMA.astype(float) / float(SIGMA @ SIGMA)))
-
-
-def test_rates_of_gibbs_vectors_match_the_textbooks_exactly() -> None:
-    """Compare with ġ = ½ [I + [g×] + g gᵀ] ω, ω in the body frame, and Q = I + 2/(1 + g²) ([g×] + [g×]²)."""
-    m, identity = dualcay.rotation.cayley1, exact(*"100010001").reshape(3, 3)
-    B = identity + skew(SIGMA) + np.outer(SIGMA, SIGMA)
-    assert np.all(m.body_rate(SIGMA, OMEGA) == B @ OMEGA / 2)
-    assert np.all(m.rate(SIGMA, OMEGA) == B.T @ OMEGA / 2)
-    Q = identity + 2 / (1 + SIGMA @ SIGMA) * (skew(SIGMA) + skew(SIGMA) @ skew(SIGMA))
-    assert np.all(m.tensor(SIGMA) == Q)
+    np.testing.assert_allclose(m.quaternion(first, axis=0, scalar_first=False)[3], m.quaternion(v)[..., 0], rtol=1e-15)
 
 
 # --- where nothing turns, and the edge ------------------------------------------------------------------------------
@@ -144,12 +100,3 @@ def test_rotation_modules_are_listed_pickled_and_documented() -> None:
         assert not re.search(r"\.\.\., [268]|\bdual\b|\bRe ", getattr(m, name).__doc__), f"{name} tells of poses"
     with pytest.raises(ImportError, match=r"no cayley6 in 'dualcay.rotation'.*dualcay generate -n 6 -o FOLDER$"):
         exec("from dualcay.rotation import cayley6")
-
-
-@pytest.mark.parametrize("chart", MODULES)
-def test_scalars_match_the_module_for_poses(chart: str) -> None:
-    rotations, poses = pair(chart)
-    shared = poses.CHART.functions.items()
-    assert all(rotations.CHART.functions[name] is function for name, function in shared)
-    assert rotations.singular_angles() == poses.singular_angles()
-    assert rotations.ORDER == poses.ORDER

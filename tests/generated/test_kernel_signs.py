@@ -7,7 +7,6 @@ from types import ModuleType
 import numpy as np
 import pytest
 
-from tests.support import sampling
 from tests.support.kernels import LAWS, load
 from tests.support.oracle import oracle_of
 
@@ -88,29 +87,6 @@ def test_the_identity_has_no_other_branches(kernel: ModuleType, order: int, shap
     np.testing.assert_array_equal(kernel.compose(zero, zero), zero)
 
 
-@pytest.mark.parametrize("batch", [False, True])
-def test_branches_of_a_translation_turn_about_its_direction(kernel: ModuleType, order: int, batch: bool) -> None:
-    """Expect tan(kπ/n + ε |v°|) u on branch k, with the axis u = v°/|v°| through the origin."""
-    v = np.array([0, 0, 0, 1.0, -2.0, 2.0])
-    u = v[3:] / 3
-    given = np.stack([v, -2 * v]) if batch else v
-    forms = [
-        lambda k: kernel.shadow(given, k),
-        lambda k: kernel.from_quaternion(kernel.quaternion(given), k),
-        lambda k: kernel.from_tensor(kernel.tensor(given), k),
-        lambda k: kernel.from_pose(kernel.pose(given), k),
-    ]
-    for k in range(order):
-        if 2 * k == order:
-            continue  # this branch is at infinity
-        tangent = np.tan(np.pi * k / order)
-        wanted = np.concatenate([tangent * u, 3 * (1 + tangent**2) * u])
-        for form in forms:
-            got = form(k)
-            np.testing.assert_allclose(got[0] if batch else got, wanted, rtol=1e-14, atol=1e-14)
-            np.testing.assert_allclose(kernel.tensor(got), kernel.tensor(given), rtol=1e-12, atol=1e-12)
-
-
 # Vectors at exact multiples of 2π: |v|² = 3 for n = 3, |v|² = 1 for n = 4 and 8.
 AT_FULL_TURNS = [
     (3, [1.0, 1.0, 1.0]), (3, [1.0, -1.0, 1.0]), (4, [0.0, 1.0, 0.0]), (4, [0.0, 0.0, -1.0]),
@@ -141,27 +117,6 @@ def test_full_turns_are_translations_along_the_axis(order: int, real: list[float
                 # Branches count turns in the direction of the translation.
                 wanted = oracle_of(order).shadow(v, k).astype(float)
                 np.testing.assert_allclose(shadow, wanted, rtol=1e-13, atol=1e-13)
-
-
-@FINITE
-@pytest.mark.parametrize("dtype", [np.float32, np.float64])
-def test_a_rounded_half_turn_keeps_its_side(order: int, dtype: type[np.floating]) -> None:
-    """Expect the axis u for v = φ(π) u, and v as principal vector, although rounding may move v beyond half a turn."""
-    kernel = load(order)
-    u = np.concatenate([np.array(AXES), sampling.unit_vectors(sampling.generator("half turns"), (200,))])
-    zeros = np.zeros((len(u), 1))
-    q = np.concatenate([zeros, u, zeros, np.zeros_like(u)], axis=-1).astype(dtype)
-    v = kernel.from_quaternion(q)
-    for rows in (slice(None), slice(0, 1), slice(5, 6)):
-        angle, axis = kernel.to_screw(v[rows])
-        np.testing.assert_allclose(axis[:, :3], u[rows], atol=16 * np.finfo(dtype).eps)
-        # angles may exceed half a turn by 2 NOISE eps
-        np.testing.assert_allclose(angle[:, 0], np.pi, atol=32 * np.finfo(dtype).eps)
-        np.testing.assert_array_equal(kernel.principal(v[rows]), v[rows])
-    for k in branches(order)[1:]:
-        expected = kernel.from_quaternion(q, k)
-        size = 1 + np.linalg.norm(expected, axis=-1, keepdims=True) ** 2
-        np.testing.assert_allclose(kernel.shadow(v, k) / size, expected / size, atol=64 * np.finfo(dtype).eps)
 
 
 @pytest.mark.parametrize("batch", [False, True])

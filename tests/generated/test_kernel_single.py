@@ -12,10 +12,10 @@ import pytest
 
 from derive.codegen.signatures import PUBLIC
 from dualcay import _geometry, _numbers
-from tests.support.kernels import ALIKE, load
-from tests.support.signatures import SHAPES, SIGNATURES, assert_nearly_equal, components_last, inputs, rows_of
+from tests.support import thorough
+from tests.support.kernels import ALIKE, LAWS, load
+from tests.support.signatures import KINDS, SIGNATURES, assert_nearly_equal, components_last, inputs, rows_of
 
-FUNCTION = pytest.mark.parametrize("name", SIGNATURES)
 SOME = pytest.mark.parametrize("order", ALIKE, indirect=True, ids=lambda n: f"n={n}")
 
 
@@ -27,7 +27,7 @@ def warnings_are_errors() -> Iterator[None]:
 
 
 @SOME
-@FUNCTION
+@pytest.mark.parametrize("name", thorough.sampled(SIGNATURES, KINDS.values()))
 def test_single_pose_agrees_with_batches_and_lists(kernel: ModuleType, order: int, name: str) -> None:
     function = getattr(kernel, name)
     for dtype in (np.float32, np.float64, np.longdouble):
@@ -77,10 +77,10 @@ for _values in SPECIAL.values():  # shared by all tests; a kernel that writes in
         _value.flags.writeable = False
 
 
-@FUNCTION
-def test_special_arguments_give_no_warning_and_batches_agree(kernel: ModuleType, order: int, name: str) -> None:
+@pytest.mark.parametrize(("name", "order"), thorough.in_turn(SIGNATURES, LAWS))
+def test_special_arguments_give_no_warning_and_batches_agree(order: int, name: str) -> None:
     """Compare single results with a batch of all special arguments, long enough for the recorded program."""
-    function, kinds = getattr(kernel, name), SIGNATURES[name].arguments
+    function, kinds = getattr(load(order), name), SIGNATURES[name].arguments
     # the third argument has the same values in reverse order
     rest = [*zip(*(SPECIAL[kind][:: 1 - 2 * i] for i, kind in enumerate(kinds[1:])))] or [()]
     given = [np.stack(values) for values in zip(*((first, *one) for first in SPECIAL[kinds[0]] for one in rest))]
@@ -124,11 +124,6 @@ def test_overflow_of_p_gives_nan_screws_and_shadows(order: int, size: float) -> 
     for results in (module.shadow(crowd, 1), *module.to_screw(crowd)):
         assert np.isnan(results).all()
     np.testing.assert_array_equal(module.shadow(v, 1), module.shadow(v.astype(np.float64), 1).astype(np.float32))
-
-
-def test_special_arguments_have_the_shapes_of_their_kinds() -> None:
-    for kind, values in SPECIAL.items():
-        assert all(value.shape == SHAPES[kind] for value in values)
 
 
 @pytest.mark.parametrize("size", [1e100, 1e155])

@@ -38,15 +38,18 @@ def multiplied(function: Callable[[float], np.ndarray], pieces: np.ndarray, fram
     return fine + (fine - coarse) / 15
 
 
-@pytest.mark.parametrize(("frame", "method"), FORMS)
-def test_sampled_twists_are_integrated_as_exactly_as_asked(frame: str, method: str) -> None:
+@pytest.mark.parametrize("frame", ["space", "body"])
+def test_sampled_twists_are_integrated_as_exactly_as_asked(frame: str) -> None:
     """Allow rtol once for each interval and each unit of the translation; steps across knots lose 30 times more."""
     for count in (21, 41):
         t = np.linspace(0, 10, count)
         samples = np.array([twist(time) for time in t])
         wanted = multiplied(CubicSpline(t, samples), t, frame)
-        found = propagate(cayley2, np.zeros(6), samples, t, frame=frame, method=method, rtol=RTOL)
-        np.testing.assert_allclose(found.pose[-1], wanted, rtol=0, atol=RTOL * count)
+        for method in ("lie", "chart"):
+            found = propagate(cayley2, np.zeros(6), samples, t, frame=frame, method=method, rtol=RTOL)
+            np.testing.assert_allclose(found.pose[-1], wanted, rtol=0, atol=RTOL * count)
+            slope = (found(3.2 + 1e-4, 1) - found(3.2 - 1e-4, 1)) / 2e-4
+            np.testing.assert_allclose(found(3.2, 2), slope, rtol=0, atol=1e-6)
 
 
 @pytest.mark.parametrize(("frame", "method"), FORMS)

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import copy
 import pickle
-import subprocess
 import sys
 import time
 from collections.abc import Callable
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -15,7 +15,7 @@ import pytest
 
 import dualcay
 from dualcay import MotionError, _stepping, cayley2, exponential, lambert, propagate
-from tests.support import motions, sampling
+from tests.support import motions, sampling, thorough
 
 EDGED = {"orthographic": 1.0, "lambert": 1.0, "sine3": 1.0, "sine4": 1.0}
 """Largest |v| by chart."""
@@ -25,8 +25,7 @@ TIMES = np.linspace(0.0, 4.0, 6)
 FORMS = [(frame, method) for frame in ("space", "body") for method in ("lie", "chart")]
 
 
-@pytest.mark.parametrize(("frame", "method"), FORMS)
-@pytest.mark.parametrize("name", EDGED)
+@pytest.mark.parametrize(("name", "frame", "method"), thorough.in_turn(EDGED, ("space", "body"), ("lie", "chart")))
 def test_a_start_beyond_the_edge_or_that_overflows_is_named_at_once(name: str, frame: str, method: str) -> None:
     module, edge, begin = getattr(dualcay, name), EDGED[name], time.process_time()
     for real, dual in ((1.1, 0.0), (1 + 1e-12, 0.1), (1e78, 0.0), (1e200, 1.0)):
@@ -57,8 +56,7 @@ def test_a_motion_that_overflows_or_does_not_end_says_when(frame: str, method: s
 SIDED = ("cayley2", "cayley3", "cayley8", "exponential", "lambert", "breusing", "sine3", "wiener_milenkovic")
 
 
-@pytest.mark.parametrize(("frame", "method"), FORMS)
-@pytest.mark.parametrize("name", SIDED)
+@pytest.mark.parametrize(("name", "frame", "method"), thorough.in_turn(SIDED, ("space", "body"), ("lie", "chart")))
 def test_a_motion_from_half_a_turn_keeps_its_side_and_has_the_branches_of_shadow(
     name: str, frame: str, method: str
 ) -> None:
@@ -202,19 +200,17 @@ def test_errors_keep_their_motion_when_copied() -> None:
         np.testing.assert_array_equal(one.motion(0.5), caught.value.motion(0.5))
 
 
-def test_motions_are_loaded_in_a_fresh_process() -> None:
-    """Also one whose twist is of the main module there, which the other process does not have."""
-    write = (
-        "import sys, pickle, numpy as np; from dualcay import cayley2, propagate\n"
-        "def twist(t): return np.arange(6.0)\n"
-        "given = [propagate(cayley2, np.zeros(6), one, [0, 1]) for one in (twist, np.arange(6.0))]\n"
-        "sys.stdout.buffer.write(pickle.dumps(given))"
-    )
-    read = (
-        "import sys, pickle; by_function, constant = pickle.load(sys.stdin.buffer)\n"
-        "assert (by_function(1.0) == by_function.v[-1]).all(); print(constant(0.5, 2).shape)\n"
-        "try: by_function(0.5, 1)\nexcept RuntimeError as error: print(error)"
-    )
-    saved = subprocess.run([sys.executable, "-c", write], capture_output=True, check=True).stdout
-    done = subprocess.run([sys.executable, "-c", read], input=saved, capture_output=True, check=True)
-    assert b"(6,)\nthe twist <function twist at 0x" in done.stdout
+def test_motions_are_loaded_where_their_twist_is_not_known(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Save a twist of a module, which another process may not have."""
+    monkeypatch.setattr(twist, "__module__", "elsewhere")
+    monkeypatch.setitem(sys.modules, "elsewhere", SimpleNamespace(twist=twist))
+    saved = pickle.dumps(propagate(cayley2, np.zeros(6), twist, [0, 1]))
+    monkeypatch.delitem(sys.modules, "elsewhere")
+    loaded = pickle.loads(saved)
+    np.testing.assert_array_equal(loaded(1.0), loaded.v[-1])
+    with pytest.raises(MotionError, match=r"^the twist <function twist at 0x"):
+        loaded(0.5, 1)
+
+
+def twist(t: float) -> np.ndarray:
+    return np.arange(6.0)

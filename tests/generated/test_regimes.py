@@ -14,26 +14,20 @@ import pytest
 import dualcay
 from derive import about
 from dualcay import exponential
-from tests.support import families, regimes
+from tests.support import families, regimes, thorough
 from tests.support.regimes import Call
 from tests.support.subjects import OUTSIDE, REGIMES, Subject, subject
 
 CHARTS = (*(f"cayley{n}" for n in about.ORDERS), *about.FAMILIES)
 ENDING = [name for name in CHARTS if subject(name).ends]
 EPS = np.finfo(float).eps
-SAMPLE = 44
+SAMPLE = 88
 """Share of functions that a chart is tried with in one regime by default; the next chart and regime take others."""
-OUTSIDE_SAMPLE = 6
+OUTSIDE_SAMPLE = 12
 """Share of functions that are tried with vectors outside a chart, which need no oracle."""
 
 THOROUGH = 8
 """Share of functions that a chart is tried with in one regime by the thorough tests."""
-
-
-def shares(most: int) -> pytest.MarkDecorator:
-    """Return the parameter `share`: the sample by default, more in the thorough tests."""
-    found = [pytest.param(most, marks=pytest.mark.thorough, id="most"), pytest.param(SAMPLE, id="sample")]
-    return pytest.mark.parametrize("share", found)
 
 
 @pytest.fixture(autouse=True)
@@ -61,7 +55,7 @@ def wrong(calls: Iterator[Call]) -> list[str]:
     return [reason for reason in (call.judged() for call in calls) if reason]
 
 
-@shares(THOROUGH)
+@thorough.shares(THOROUGH, SAMPLE)
 @pytest.mark.parametrize("table", ["", "rotation"])
 @pytest.mark.parametrize("name", CHARTS)
 def test_every_function_is_right_or_not_finite(name: str, table: str, share: int) -> None:
@@ -99,7 +93,7 @@ def test_products_of_long_vectors_are_those_of_shorter_ones(name: str, table: st
     assert not (abs(angles - usual) > 1e-12 * usual).any(), angles
 
 
-@shares(1)
+@thorough.shares(1, SAMPLE)
 @pytest.mark.parametrize("name", CHARTS)
 def test_inverse_maps_are_right_or_not_finite(name: str, share: int) -> None:
     """Half turns and poses of other norms are right, and what is no pose gives no finite vector."""

@@ -57,22 +57,6 @@ def test_rows_within_the_tolerance_of_a_whole_turn_continue_a_spin(module: Modul
             np.testing.assert_allclose(found, true, rtol=0, atol=lost, err_msg=f"{size}, all rows: {all_rows}")
 
 
-@pytest.mark.parametrize("dtype", DTYPES)
-@pytest.mark.parametrize("module", [POSES, ROTATIONS], ids=["poses", "rotations"])
-def test_matrices_multiplied_up_give_continuous_sequences(module: ModuleType, dtype: type) -> None:
-    """Ten turns of a random screw; 81 products lose less than the tolerance, which is for 10³."""
-    turning, read = (module.pose, module.from_pose) if module is POSES else (module.tensor, module.from_tensor)
-    for screw in module.random(20, rng=3):
-        screw *= np.pi / 4 / np.linalg.norm(screw[:3])
-        one = turning(screw).astype(dtype)
-        matrices = [np.eye(len(one), dtype=dtype)]
-        for _ in range(80):
-            matrices.append(one @ matrices[-1])
-        found = unwrap(module, read(np.array(matrices)))
-        lost = TOLERANCE * np.finfo(dtype).eps * (1 + 20 * np.pi) * (1 + np.linalg.norm(screw[3:]))
-        np.testing.assert_allclose(found, np.outer(np.arange(81), screw), rtol=0, atol=lost)
-
-
 @pytest.mark.parametrize("module", [POSES, ROTATIONS], ids=["poses", "rotations"])
 def test_one_row_beyond_the_tolerance_costs_its_neighbours_alone(module: ModuleType) -> None:
     true = spin(module)

@@ -17,7 +17,7 @@ import pytest
 
 import dualcay
 from derive import about
-from tests.support import families
+from tests.support import families, thorough
 from tests.support.subjects import Subject, subject
 
 DISTANCES = (1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12, 1e-14, 1e-15, 1e-16, 0.0)
@@ -149,8 +149,7 @@ def test_batches_in_single_precision_are_as_exact(name: str) -> None:
             assert wrong(chart, row, pose_of(screw, end), end, screw) <= 1, (k, end, row)
 
 
-@pytest.mark.parametrize("dtype", [np.float64, np.float32])
-@pytest.mark.parametrize("name", CHARTS)
+@pytest.mark.parametrize(("name", "dtype"), thorough.in_turn(CHARTS, (np.float64, np.float32)))
 def test_chains_of_steps_close(name: str, dtype: Any) -> None:
     """A thousand steps lead through whole turns; each adds the rounding of a vector, whose angle is up to 12 rad.
 
@@ -183,20 +182,3 @@ def test_translation_across_the_axis_at_a_whole_turn_is_not_finite(name: str) ->
     exact[:, 3] += exact[:, :3] @ pose_of(first, 1.5 * np.pi)[:, 3]
     exact[:, :3] = np.eye(3)
     assert not np.isfinite(pose).all() or abs(pose[:3] - exact).max() < 1e-12
-
-
-@pytest.mark.parametrize("name", CHARTS)
-def test_interpolation_ends_with_the_pose_of_the_second_vector(name: str) -> None:
-    """From beyond half a turn to d rad beside the identity; the pose at t = 1 has a translation of a length below 3.
-
-    A vector beside a whole turn has a dual part of this length over d; its pose is known to eps times that.
-    """
-    chart = subject(name)
-    for d, side in itertools.product(DISTANCES[:-2], (1, -1)):
-        first = turned(chart, np.array([0.1, 0.2, 1, 0.3, 0.2, 1]), 3.2)
-        second = turned(chart, np.array([0.1, 0.2, -side, 0, 0, 0.0]), d)
-        second[3:] = 0.3, 0.2, 0.1
-        found = chart.module.interpolate(first, second, 1.0)
-        off = abs(chart.module.pose(found) - chart.module.pose(second)).max()
-        turn_is_pole = abs(chart.edge - 2 * np.pi) < 0.1
-        assert not off > GATE * 3 * np.finfo(float).eps * (1 if turn_is_pole else 3 / d), (d, side, off)

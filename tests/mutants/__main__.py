@@ -4,7 +4,6 @@ A mutant has one small change, which tests should refuse. The command draws a sa
 each one in a separate process, lists the survivors and prints the score. The tree stays unchanged.
 
 ========== ==========================================================================================================
-statements true statements of the papers with one mark changed: executing them must fail
 programs   straight-line programs of the NumPy target with one operation changed: validation must fail
 maps, proof, lowering, templates
            sources with one token changed: `generate`, or the tests of the room, must fail
@@ -18,10 +17,10 @@ import sys
 from collections import Counter
 from collections.abc import Sequence
 
-from . import lines, programs, statements
-from .mutant import EQUIVALENT, KILLED, Mutant, Room, Verdict, sampled, tried
+from . import lines, programs
+from .mutant import KILLED, Mutant, Room, Verdict, sampled, tried
 
-ROOMS: dict[str, Room] = {"statements": statements.mutants, "programs": programs.mutants} | lines.ROOMS
+ROOMS: dict[str, Room] = {"programs": programs.mutants} | lines.ROOMS
 SAMPLE, SEED, JOBS = 40, 88, 2
 
 
@@ -37,7 +36,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
             return 3
         sample = sampled(mutants, options.sample, options.seed)
         scores[room] = _report(room, len(mutants), sample, list(tried(sample, options.jobs)))
-    short = [room for room, score in scores.items() if score < options.floor.get(room, options.floor.get("", 0.0))]
+    short = [room for room, score in scores.items() if score < options.floor]
     if short:
         print(f"below the floor: {', '.join(short)}", file=sys.stderr)
     return 1 if short else 0
@@ -46,18 +45,14 @@ def main(arguments: Sequence[str] | None = None) -> int:
 def _report(room: str, population: int, sample: Sequence[Mutant], verdicts: Sequence[Verdict]) -> float:
     """Print survivors and score of a room; return its percentage of killed mutants."""
     for mutant, verdict in zip(sample, verdicts, strict=True):
-        if verdict.kind not in (KILLED, EQUIVALENT):
+        if verdict.kind != KILLED:
             print(f"{room}: survives: {mutant}")
     counts = Counter(verdict.kind for verdict in verdicts)
     by = Counter(verdict.by.partition(" ")[0] for verdict in verdicts if verdict.kind == KILLED)
-    total = len(sample) - counts[EQUIVALENT]
-    score = 100 * counts[KILLED] / total if total else 100.0
+    score = 100 * counts[KILLED] / len(sample) if sample else 100.0
     stages = ", ".join(f"{count} by {stage}" for stage, count in by.most_common())
-    print(
-        f"{room}: {counts[KILLED]} of {total} killed ({score:.1f} %; {stages}), {counts[EQUIVALENT]} more are "
-        f"equivalent; drawn from {population}",
-        flush=True,
-    )
+    killed = f"{counts[KILLED]} of {len(sample)} killed"
+    print(f"{room}: {killed} ({score:.1f} %; {stages}); drawn from {population}", flush=True)
     return score
 
 
@@ -67,7 +62,7 @@ def _options(arguments: Sequence[str] | None) -> argparse.Namespace:
     parser.add_argument("--sample", type=int, default=SAMPLE, help="mutants of each room (default: %(default)s)")
     parser.add_argument("--seed", type=int, default=SEED, help="seed of the sample (default: %(default)s)")
     parser.add_argument("--jobs", type=int, default=JOBS, help="processes at once (default: %(default)s)")
-    parser.add_argument("--floor", type=_floor, default={}, help="least percentage: 95, or maps=90,programs=95")
+    parser.add_argument("--floor", type=float, default=0.0, help="least percentage of each room")
     return parser.parse_args(arguments)
 
 
@@ -76,12 +71,6 @@ def _rooms(text: str) -> tuple[str, ...]:
     if unknown := [name for name in names if name not in ROOMS]:
         raise argparse.ArgumentTypeError(f"no room {', '.join(unknown)}: expected {', '.join(ROOMS)}")
     return names
-
-
-def _floor(text: str) -> dict[str, float]:
-    pairs = [part.rpartition("=") for part in text.split(",")]
-    _rooms(",".join(name for name, _, _ in pairs if name) or next(iter(ROOMS)))
-    return {name: float(value) for name, _, value in pairs}
 
 
 if __name__ == "__main__":

@@ -17,14 +17,14 @@ from multiprocessing.process import BaseProcess
 
 from derive.workers import stopped
 
-KILLED, SURVIVED, EQUIVALENT = "killed", "survived", "equivalent"
+KILLED, SURVIVED = "killed", "survived"
 
 TRIAL_SECONDS = 900  # of processor time for each process of a trial; a mutant that exceeds it counts as killed
 
 
 @dataclass(frozen=True, slots=True)
 class Verdict:
-    """Result of a trial: killed, survived or equivalent; ``by`` begins with the stage that killed the mutant."""
+    """Result of a trial: killed or survived; ``by`` begins with the stage that killed the mutant."""
 
     kind: str
     by: str = ""

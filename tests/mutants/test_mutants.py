@@ -1,4 +1,4 @@
-"""Tests of mutants of tokens and statements: operators change what is intended, samples are stable, trials end."""
+"""Tests of mutants of tokens and programs: operators change what is intended, samples are stable, trials end."""
 
 from __future__ import annotations
 
@@ -18,20 +18,14 @@ from unittest import mock
 
 import pytest
 
-from derive.claims.decide import decide
-from derive.claims.equation import Entry, equation
-from derive.claims.language.operator_table import Re, cross, equal, implies, nonzero
-from derive.claims.language.printed import Number, Symbol, Term, text
 from derive.codegen.programs.program import Assignment, Program
 from derive.codegen.signatures import lower_chart
 from derive.codegen.targets import python
 from derive.maps import Cayley, family
-from derive.papers import PAPERS
 from tests.mutants import __main__ as command
 from tests.mutants.lines import changes as line_changes
-from tests.mutants.mutant import EQUIVALENT, KILLED, SURVIVED, Mutant, Verdict, sampled, tried
+from tests.mutants.mutant import KILLED, SURVIVED, Mutant, Verdict, sampled, tried
 from tests.mutants.programs import changes, replaced
-from tests.mutants.statements import changed, domains, evaluated, is_true, trials, true_statements
 from tests.support.staying import spin
 
 STEPS = (Assignment("d", "sub", ("v1", "v2"), False), Assignment("e", "mul", (3, "d"), False))
@@ -65,7 +59,7 @@ def test_a_changed_program_is_printed(chart: Any) -> None:
     scalars = lower_chart(chart).scalars
     printed = python.printed_scalars(chart, scalars)
     for program in scalars.values():
-        for *_, mutated in islice(changes(program), 2):
+        for *_, mutated in islice(changes(program), 1):
             with replaced(program, mutated):
                 assert python.printed_scalars(chart, scalars) != printed, program.name
 
@@ -114,7 +108,7 @@ def four_trials() -> list[Verdict]:
     def wrong() -> Verdict:
         raise ValueError("no pose")
 
-    trials = [late, wrong, partial(Verdict, EQUIVALENT), lambda: os.kill(os.getpid(), signal.SIGKILL)]
+    trials = [late, wrong, lambda: os.kill(os.getpid(), signal.SIGKILL)]
     return list(tried([mutant(trial) for trial in trials], jobs=3))  # type: ignore[arg-type]
 
 
@@ -133,28 +127,32 @@ def run_command(kinds: Mapping[str, str], *arguments: str) -> tuple[int, str]:
         return command.main(["--room", "some", *arguments]), out.getvalue()
 
 
+@pytest.mark.thorough
 def test_trials_are_isolated_and_verdicts_come_in_order(run_apart: Callable[..., Any]) -> None:
     found = run_apart(four_trials)
-    assert [verdict.kind for verdict in found] == [SURVIVED, KILLED, EQUIVALENT, KILLED]
+    assert [verdict.kind for verdict in found] == [SURVIVED, KILLED, KILLED]
     assert found[1].by == "exception ValueError: no pose"
-    assert found[3].by == "crash"
+    assert found[2].by == "crash"
 
 
+@pytest.mark.thorough
 def test_trials_that_compute_long_are_killed_and_those_that_wait_are_not(run_apart: Callable[..., Any]) -> None:
     assert run_apart(long_trials) == [Verdict(KILLED, "time limit"), Verdict(SURVIVED)]
 
 
-@pytest.mark.parametrize(("floor", "code"), [("50", 0), ("51", 1), ("some=40", 0), ("some=60", 1)])
+@pytest.mark.thorough
+@pytest.mark.parametrize(("floor", "code"), [("50", 0), ("51", 1)])
 def test_command_prints_survivors_and_holds_rooms_to_the_floor(
     floor: str, code: int, run_apart: Callable[..., Any]
 ) -> None:
-    verdicts = {"unchanged": SURVIVED, "a": KILLED, "b": SURVIVED, "c": EQUIVALENT}
+    verdicts = {"unchanged": SURVIVED, "a": KILLED, "b": SURVIVED}
     found, said = run_apart(run_command, verdicts, "--floor", floor)
     assert found == code
     assert "some: survives: place: sign: b" in said
-    assert "some: 1 of 2 killed (50.0 %; 1 by tests), 1 more are equivalent; drawn from 3" in said
+    assert "some: 1 of 2 killed (50.0 %; 1 by tests); drawn from 2" in said
 
 
+@pytest.mark.thorough
 def test_unchanged_tree_must_pass(run_apart: Callable[..., Any]) -> None:
     code, _ = run_apart(run_command, {"unchanged": KILLED})
     assert code == 3
@@ -163,86 +161,3 @@ def test_unchanged_tree_must_pass(run_apart: Callable[..., Any]) -> None:
 def test_unknown_rooms_are_refused() -> None:
     with pytest.raises(SystemExit):
         command.main(["--room", "other"])
-
-
-# --- statements of the papers -----------------------------------------------------------------------------------------
-
-a, b = Symbol("a", "dual number"), Symbol("b", "dual number")
-u, v = Symbol("u", "dual vector"), Symbol("v", "dual vector")
-SQUARE = equal((a + b) ** 2, a**2 + 2 * (a * b) + b**2)
-EVERY = 291
-"""Stride of the sample: every 291st mutant of the papers is evaluated here; `make mutants` draws from all mutants."""
-
-
-def entry(statement: Term = SQUARE, **rest: object) -> Entry:
-    return equation("1", statement, title="title", line=1, said="in words", **rest)
-
-
-def fates(tried: Entry, statement: Term) -> list[str]:
-    return [trial().kind for _, trial in trials(tried, statement)]
-
-
-@pytest.mark.parametrize(
-    ("statement", "texts"),
-    [(a + a, ["a-a", "a"]), (a - a, ["a+a", "a", "-a"]), (a * b, ["a", "b"]), (Number(2), ["3"]), (a, []),
-     (cross(u, v), ["v×u"]), (a**2, ["2^a", "a^3"]), (-a, ["a"]), (nonzero(a), ["not a≠0"]),
-     (equal(a, b + 1), ["a=b-1", "a=b", "a=1", "a=b+2"])],
-    ids=str,
-)  # fmt: skip
-def test_mutants_of_a_statement(statement: Term, texts: list[str]) -> None:
-    assert [text(mutant) for _, mutant in changed(statement)] == texts
-
-
-def test_relations_and_both_parts_of_an_implication_are_changed() -> None:
-    changes = {change for change, _ in changed(implies(equal(a, 0), implies(nonzero(b), nonzero(a))))}
-    parts = {f"{part} of implies {fate}" for part, fate in (("second part", "negated"), ("first part", "dropped"))}
-    assert {"nonzero negated", "arguments of implies swapped", *parts} <= changes
-
-
-def test_domains_are_changed_or_dropped() -> None:
-    condition, claimed = nonzero(Re(a)), nonzero(b)
-    found = {change: (e.condition, e.claimed) for change, e in domains(entry(condition=condition, claimed=claimed))}
-    assert found.pop("condition dropped") == (None, claimed)
-    assert found.pop("claimed domain dropped") == (condition, None)
-    assert {change: text(c if change.startswith("condition") else d) for change, (c, d) in found.items()} == {
-        "condition: negated": "not Re a≠0", "condition: Re made Du": "Du a≠0", "claimed domain: negated": "not b≠0",
-    }  # fmt: skip
-    assert list(domains(entry())) == []
-
-
-def test_true_statement_is_a_reading_or_the_correction() -> None:
-    wrong = equal((a + b) ** 2, a**2 + b**2)
-    assert true_statements(decide("paper", entry(), "")) == (SQUARE,)
-    assert true_statements(decide("paper", entry(wrong, corrected=SQUARE), "")) == (SQUARE,)
-
-
-def test_mutant_is_refuted_or_meaningless_or_survives() -> None:
-    for mutant, fate in ((a, KILLED), (cross(a, b), EQUIVALENT), (a + b, SURVIVED)):
-        assert evaluated(lambda right=mutant: is_true(entry(), equal(a + b, right))).kind == fate
-
-
-@pytest.mark.smoke
-def test_every_mutant_of_an_identity_is_refuted() -> None:
-    found = fates(entry(), SQUARE)
-    assert len(found) > 10
-    assert SURVIVED not in found
-
-
-def test_wrong_conditions_and_too_narrow_domains_are_noticed() -> None:
-    quotient = equal(a / b * b, a)
-    for domain in ({"condition": nonzero(Re(b))}, {"claimed": nonzero(Re(b)), "stated": "for Re b ≠ 0"}):
-        assert SURVIVED not in fates(entry(quotient, **domain), quotient)
-    narrow = entry(claimed=nonzero(Re(b)), stated="for Re b ≠ 0")
-    assert dict(trials(narrow, SQUARE))["claimed domain dropped"]().kind == SURVIVED
-
-
-def test_most_mutants_of_the_papers_are_refuted() -> None:
-    tried = []
-    for paper in PAPERS:
-        for one in paper.entries():
-            statement = one.corrected if one.corrected is not None else one.readings[0].statement
-            tried += [trial for _, trial in trials(one, statement)]
-    found = [trial().kind for trial in tried[::EVERY]]
-    killed = found.count(KILLED)
-    assert killed > 15
-    assert killed >= 0.9 * (killed + found.count(SURVIVED))

@@ -11,12 +11,6 @@ ROOT = Path(__file__).parents[2]
 
 
 @cache
-def nodes(path: Path) -> list[ast.AST]:
-    """Return all nodes of a file, which many rules read."""
-    return list(ast.walk(ast.parse(path.read_text(encoding="utf-8"))))
-
-
-@cache
 def imported(path: Path) -> frozenset[tuple[str, ...]]:
     """Return every imported module as parts of its absolute name; ``from package import module`` names the module."""
     return frozenset(_imported(path))
@@ -24,7 +18,7 @@ def imported(path: Path) -> frozenset[tuple[str, ...]]:
 
 def _imported(path: Path) -> Iterator[tuple[str, ...]]:
     package = path.relative_to(ROOT).parts[:-1]
-    for node in nodes(path):
+    for node in _statements(ast.parse(path.read_text(encoding="utf-8"))):
         if isinstance(node, ast.Import):
             yield from (tuple(alias.name.split(".")) for alias in node.names)
         elif isinstance(node, ast.ImportFrom):
@@ -32,6 +26,14 @@ def _imported(path: Path) -> Iterator[tuple[str, ...]]:
             module = (*base, *node.module.split(".")) if node.module else base
             for alias in node.names:
                 yield (*module, alias.name) if _is_module((*module, alias.name)) else module
+
+
+def _statements(node: ast.AST) -> Iterator[ast.AST]:
+    """Yield the statements of a file without their expressions, which are most of its nodes."""
+    for field in ("body", "orelse", "finalbody", "handlers", "cases"):
+        for statement in getattr(node, field, ()):
+            yield statement
+            yield from _statements(statement)
 
 
 def _is_module(name: tuple[str, ...]) -> bool:

@@ -10,6 +10,8 @@ from typing import Any
 
 import numpy as np
 
+from tests.support import traced
+
 Convert = Callable[[np.ndarray], Any]
 
 
@@ -54,6 +56,7 @@ LIBRARIES: dict[str, Callable[[], Convert]] = {
     "numpy": lambda: np.asarray,
     "array-api-strict": _strict,
     "jax": _jax,
+    "jax traced": _jax,
     "jax.jit": _jax,
     "dask": _dask,
     "torch": _torch,
@@ -108,6 +111,8 @@ class Through:
             return function
 
         def call(*values: Any, **options: Any) -> Any:
+            if self.library == "jax traced":
+                return traced.run(function, *values, **options)
             called = function
             if self.library == "jax.jit" and values:
                 static = tuple(i for i, v in enumerate(values) if isinstance(v, int))

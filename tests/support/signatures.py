@@ -37,6 +37,13 @@ SIGNATURES = {
     if len(row.results) == 1 and row.name != "from_screw"
 }
 
+KINDS = {
+    (row.arguments, row.result, row.complex, bool(PUBLIC[name].branch)): name
+    for name, row in reversed(SIGNATURES.items())
+    if name in PUBLIC
+}
+"""Sample of functions for tests of arrays, which pass one text in all: the first one of each kind."""
+
 
 def inputs(
     kernel: ModuleType, name: str, order: int, shape: tuple[int, ...] = (), dtype: Any = np.float64

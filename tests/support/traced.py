@@ -1,7 +1,8 @@
-"""Derivatives by JAX without its compiler, which takes seconds for each: NumPy runs what JAX traces."""
+"""Functions and derivatives by JAX without its compiler, which takes seconds for each: NumPy runs what JAX traces."""
 
 from __future__ import annotations
 
+import functools
 import operator
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any
@@ -18,6 +19,20 @@ def _part(a: Any, start_indices: Sequence[int], limit_indices: Sequence[int], st
     return a[tuple(map(slice, start_indices, limit_indices, strides or [None] * a.ndim))]
 
 
+def _padded(a: Any, value: Any, padding_config: Sequence[tuple[int, int, int]]) -> Any:
+    """Spread an array and put values around it; negative widths cut it."""
+    low, high, within = np.array(padding_config, int).reshape(-1, 3).T
+    spread = np.maximum(np.array(np.shape(a), int) * (within + 1) - within, 0)
+    found = np.full(spread + np.maximum(low, 0) + np.maximum(high, 0), value, np.asarray(a).dtype)
+    begin = np.maximum(low, 0)
+    found[tuple(map(slice, begin, begin + spread, within + 1))] = a
+    return found[tuple(map(slice, np.maximum(-low, 0), np.array(found.shape) - np.maximum(-high, 0)))]
+
+
+def _split(a: Any, sizes: Sequence[int], axis: int) -> Sequence[Any]:
+    return np.split(a, np.cumsum(sizes)[:-1], axis)
+
+
 def _plain(function: Callable[..., Any]) -> Callable[..., Any]:
     return lambda *given, **_: function(*given)
 
@@ -26,8 +41,9 @@ OPERATIONS: Mapping[str, Callable[..., Any]] = {
     **{name: _plain(function) for name, function in {
         "add": operator.add, "add_any": operator.add, "sub": operator.sub, "mul": operator.mul, "neg": operator.neg,
         "div": np.divide, "sqrt": np.sqrt, "abs": np.abs, "tan": np.tan, "sin": np.sin, "cos": np.cos,
-        "atan2": np.arctan2, "lt": np.less, "gt": np.greater, "eq": np.equal, "and": np.logical_and,
-        "or": np.logical_or, "not": np.logical_not, "square": np.square, "stop_gradient": np.asarray,
+        "atan2": np.arctan2, "lt": np.less, "gt": np.greater, "ge": np.greater_equal, "eq": np.equal,
+        "and": np.logical_and, "or": np.logical_or, "not": np.logical_not, "square": np.square,
+        "stop_gradient": np.asarray,
     }.items()},
     "integer_pow": lambda a, y: a**y,
     "select_n": lambda where, *cases: np.where(where, cases[1], cases[0]),
@@ -39,8 +55,41 @@ OPERATIONS: Mapping[str, Callable[..., Any]] = {
     "convert_element_type": lambda a, new_dtype, **_: np.asarray(a, new_dtype),
     "broadcast_in_dim": _broadcast,
     "slice": _part,
+    "pad": _padded,
+    "split": _split,
+    "unstack": lambda a, axis: tuple(np.moveaxis(a, axis, 0)),
+    "iota": lambda dtype, shape, dimension, **_: np.indices(shape)[dimension].astype(dtype),
+    "stack": lambda *given, axis: np.stack(given, axis),
+    "platform_index": lambda **_: 0,
+    "optimization_barrier": lambda *given: given,
 }  # fmt: skip
 """Operations of JAX in NumPy. JAX runs the others itself."""
+
+
+def run(function: Callable[..., Any], *given: Any, **options: Any) -> Any:
+    """Return the results of a function of arrays; arguments that are no arrays are constants of the trace."""
+    import jax
+
+    arrays = [a for a in given if isinstance(a, np.ndarray)]
+    shapes = tuple(jax.ShapeDtypeStruct(a.shape, a.dtype) if isinstance(a, np.ndarray) else a for a in given)
+    traced, tree = _traced(function, shapes, tuple(options.items()))
+    with np.errstate(all="ignore"):
+        return jax.tree.unflatten(tree, map(np.asarray, _run(traced, *arrays)))
+
+
+@functools.cache
+def _traced(function: Callable[..., Any], given: tuple[Any, ...], options: tuple[tuple[str, Any], ...]) -> Any:
+    """Return the trace of a function for shapes and constants, and the tree of its results."""
+    import jax
+
+    places = [place for place, one in enumerate(given) if isinstance(one, jax.ShapeDtypeStruct)]
+
+    def of_arrays(*arrays: Any) -> Any:
+        known = dict(zip(places, arrays, strict=True))
+        return function(*(known.get(place, one) for place, one in enumerate(given)), **dict(options))
+
+    traced, shapes = jax.make_jaxpr(of_arrays, return_shape=True)(*(given[place] for place in places))
+    return traced, jax.tree.structure(shapes)
 
 
 def derivative(function: Callable[..., Any], points: np.ndarray, along: np.ndarray) -> Iterator[list[Any]]:
@@ -72,9 +121,7 @@ def _results(equation: Any, given: list[Any]) -> Sequence[Any]:
         return _run(options["branches"][int(given[0])], *given[1:])
     for inner in _inner(options):
         return _run(inner, *given)
-    if name in OPERATIONS:
-        return [OPERATIONS[name](*given, **options)]
-    found = equation.primitive.bind(*given, **options)
+    found = OPERATIONS.get(name, equation.primitive.bind)(*given, **options)
     return found if equation.primitive.multiple_results else [found]
 
 

@@ -9,9 +9,9 @@ import numpy as np
 import pytest
 
 from derive.codegen.signatures import PUBLIC, ROTATIONS
-from tests.support import conditions
+from tests.support import conditions, traced
 from tests.support.kernels import load
-from tests.support.libraries import LIBRARIES, QUICKLY, on_host
+from tests.support.libraries import LIBRARIES, on_host
 from tests.support.rotation_arguments import arguments
 from tests.support.signatures import SIGNATURES, assert_nearly_equal, inputs
 
@@ -176,15 +176,10 @@ def test_arguments_that_are_not_arrays_are_named(module, strict):
 
 
 @pytest.mark.parametrize("name", ["twist", "compose"])
-def test_a_constant_first_argument_in_compiled_functions(module, jax, name):
-    function = getattr(module, name)
-    compiled = jax.jit(lambda w: function(V, w), compiler_options=QUICKLY)
-    found = compiled(jax.numpy.asarray(W))
-    assert isinstance(found, jax.Array)
-    assert_nearly_equal(np.asarray(found), function(V, W), eps=40)
-    batch = np.stack([W, 2 * W])
-    both = jax.jit(jax.vmap(lambda w: function(V, w)), compiler_options=QUICKLY)
-    assert_nearly_equal(np.asarray(both(batch)), function(V, batch), eps=40)
+def test_a_constant_first_argument_in_traced_functions(module, jax, name):
+    function, batch = getattr(module, name), np.stack([W, 2 * W])
+    assert_nearly_equal(traced.run(lambda w: function(V, w), W), function(V, W), eps=40)
+    assert_nearly_equal(traced.run(jax.vmap(lambda w: function(V, w)), batch), function(V, batch), eps=40)
 
 
 def test_gradients_by_the_second_argument(module, jax):
@@ -192,12 +187,12 @@ def test_gradients_by_the_second_argument(module, jax):
     kernel = load(3)
 
     def slope(function):
-        return jax.jit(jax.grad(lambda w: function(V, w).sum()), compiler_options=QUICKLY)(W)
+        return traced.run(jax.grad(lambda w: function(V, w).sum()), W)
 
     np.testing.assert_allclose(slope(module.twist), kernel.twist(V, np.eye(6)).sum(axis=-1), rtol=1e-12)
     np.testing.assert_allclose(slope(module.compose), kernel.compose_jacobians(V, W)[1].sum(axis=0), rtol=1e-12)
 
 
 def test_a_traced_parameter_between_constant_poses(module, jax):
-    compiled = jax.jit(lambda t: module.interpolate(V, W, t), compiler_options=QUICKLY)
-    assert_nearly_equal(np.asarray(compiled(0.25)), module.interpolate(V, W, 0.25), eps=40)
+    found = traced.run(lambda t: module.interpolate(V, W, t), np.array(0.25))
+    assert_nearly_equal(found, module.interpolate(V, W, 0.25), eps=40)

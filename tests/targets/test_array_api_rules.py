@@ -8,13 +8,12 @@ from functools import partial
 import numpy as np
 import pytest
 
+import dualcay
 from derive.codegen.lowering.scalar_programs import SCALARS
 from derive.codegen.signatures import SIDES
 from derive.output import pages
-from tests.support import sampling
-from tests.support.libraries import LIBRARIES, QUICKLY, jax
-
-EPS = 2.0**-52
+from tests.support import sampling, traced
+from tests.support.libraries import LIBRARIES, jax
 
 
 @pytest.fixture(scope="module", autouse=True)
@@ -26,22 +25,6 @@ def arguments():
     """Return two vectors with rotation angles below half a turn in all charts, then two rates."""
     v2, v1, rate2, rate1 = (sampling.dual_vectors(f"rules {i}") for i in range(4))
     return [np.tanh(v2) / 10, np.tanh(v1) / 8, rate2, rate1]
-
-
-def both_ways(function, v2, v1, rate2, rate1):
-    """Return the derivative along the rates, and the gradients of the result weighted by the first rate."""
-    _, forward = jax.jvp(function, (v2, v1), (rate2, rate1))
-    found, back = jax.vjp(function, v2, v1)
-    return forward, back(rate2.astype(found.dtype))
-
-
-def compiled(function, *values):
-    return jax.tree.map(np.asarray, jax.jit(function, compiler_options=QUICKLY)(*values))
-
-
-def assert_equal(found, expected, eps=2000):
-    """Compare with an error of some hundred operations, each of a relative error eps of the largest entry."""
-    np.testing.assert_allclose(found, expected, rtol=0, atol=eps * EPS * abs(expected).max())
 
 
 def text(function, *values):
@@ -221,7 +204,7 @@ def test_an_angle_has_its_gradient_and_hessian_where_squares_underflow(charts, d
     """Compare with α = 6|v|, of which third and higher powers of v are lost."""
     u = np.array([2, -2, 1]) / 3
     at, angle = (u * size).astype(dtype), charts("rotation.cayley3").angle
-    first, second = compiled(lambda v: (jax.grad(angle)(v), jax.jacfwd(jax.grad(angle))(v)), at)
+    first, second = traced.run(lambda v: (jax.grad(angle)(v), jax.jacfwd(jax.grad(angle))(v)), at)
     np.testing.assert_allclose(first, 6 * u, rtol=0, atol=100 * np.finfo(dtype).eps)
     across = 6 * (np.eye(3) - np.outer(u, u))
     np.testing.assert_allclose(second * dtype(size), across, rtol=0, atol=1000 * np.finfo(dtype).eps)
@@ -230,7 +213,7 @@ def test_an_angle_has_its_gradient_and_hessian_where_squares_underflow(charts, d
 @pytest.mark.parametrize("mode", [pytest.param("jacfwd", marks=pytest.mark.thorough), "jacrev"])
 def test_six_calls_share_the_text_of_one(charts, mode, monkeypatch):
     """Allow a tenth more text than one call has: it grows without rules, and more where calls share no text."""
-    function, at = charts("cayley2").compose, [value[0] for value in arguments()[:2]]
+    function, at = charts("rotation.cayley2").compose, [value[0, :3] for value in arguments()[:2]]
 
     def growth():
         one, six = (text(getattr(jax, mode)(chain(function, count)), *at) for count in (1, 6))
@@ -248,10 +231,10 @@ def test_compiled_functions_multiply_about_as_often_as_their_programs(charts, mo
 
     XLA divides by constants by products, and its own inverse tangent adds some to those of the program.
     """
-    module, given = charts("exponential"), arguments()[:2]
+    module, given = charts("cayley3"), arguments()[:2]
 
     def ratio():
-        lowered = jax.jit(lambda b, a: module.compose(module.compose(b, a), a)).lower(*given)
+        lowered = jax.jit(chain(module.compose, 2)).lower(*given)
         once, compiled = lowered.as_text(), lowered.compile().as_text()
         found = sum(compiled.count(f" {op}(") for op in ("multiply", "divide"))
         return found / sum(2 * once.count(f"stablehlo.{op}") for op in ("multiply", "divide"))  # both calls share text
@@ -265,31 +248,20 @@ def test_compiled_functions_multiply_about_as_often_as_their_programs(charts, mo
     assert stored <= 1.5 < 2 < repeated
 
 
-@pytest.mark.thorough
-def test_layouts_types_and_transformations(charts):
-    """Compare axis 0, broadcast batches, float32 (eps 2⁻²³), vmap and scan with the plain call."""
-    module, (v2, v1, rate2, rate1) = charts("cayley3"), arguments()
-    plain, back = compiled(lambda *given: both_ways(module.compose, *given), v2, v1, rate2, rate1)
+@pytest.mark.parametrize(("axis", "dtype"), [(-1, np.float64), (0, np.float32)])
+def test_gradients_of_arguments_that_broadcast_are_sums(charts, axis, dtype):
+    """Allow some hundred roundings of the weighted sum of all compositions' Jacobians."""
+    v2, v1, weights, _ = arguments()
 
-    def first(a, b):
-        return module.compose(a, b, axis=0)
+    def loss(a, b):
+        pair = (a[:, None], b) if axis else (a.T[:, :, None], b.T[:, None])
+        return (jax.numpy.moveaxis(charts("cayley3").compose(*pair, axis=axis), axis, -1) * weights.astype(dtype)).sum()
 
-    def transformed(*given):
-        turned = both_ways(first, *(value.T for value in given))
-        single = both_ways(module.compose, *(value.astype(np.float32) for value in given))
-        mapped = jax.vmap(lambda *one: both_ways(module.compose, *one))(*given)
-        table = jax.jvp(lambda a: module.compose(a[:, None], v1[None, :1]), given[:1], given[2:3])[1]
-        scanned = jax.lax.scan(lambda _, one: (None, both_ways(module.compose, *one)), None, given)[1]
-        return turned, single, mapped, table, scanned
-
-    turned, single, mapped, table, scanned = compiled(transformed, v2, v1, rate2, rate1)
-    for found in ((turned[0].T, [g.T for g in turned[1]]), mapped, scanned):
-        for one, other in zip(jax.tree.leaves(found), jax.tree.leaves((plain, back)), strict=True):
-            assert_equal(one, other)
-    for one, other in zip(jax.tree.leaves(single), jax.tree.leaves((plain, back)), strict=True):
-        assert one.dtype == np.float32
-        assert_equal(one, other, eps=2000 * 2**29)
-    assert table.shape == (len(v2), 1, 6)
+    found = traced.run(jax.grad(loss, (0, 1)), v2.astype(dtype), v1.astype(dtype))
+    for one, J, row in zip(found, dualcay.cayley3.compose_jacobians(v2[:, None], v1), "ij", strict=True):
+        expected = np.einsum(f"ijab,ja->{row}b", J, weights)
+        assert one.dtype == dtype
+        np.testing.assert_allclose(one, expected, rtol=0, atol=2000 * np.finfo(dtype).eps * abs(expected).max())
 
 
 def test_a_batch_that_does_not_broadcast_names_both_arguments(charts):

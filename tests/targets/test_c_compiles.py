@@ -108,18 +108,6 @@ def test_another_real_type_is_refused(package, tmp_path):
     assert "DUALCAY_REAL must be float, double or long double" in done.stderr
 
 
-def test_maps_without_angles_build_without_any_library(package, tmp_path):
-    called = ("tensor(v, T)", "principal(v, T)", "shadow(v, 1, T)", "from_quaternion(v, 0, T)")
-    called = (*called, "switch(v, v, v, T, T, T)")
-    calls = " ".join(f"{prefix(Cayley(8), t)}_{call};" for t in TABLES for call in called)
-    calls = f"void f(const double *v, double *T) {{ {calls} }}\n"
-    source = written(tmp_path, "free.c", INCLUDE_ALL + calls)
-    flags = ("-std=c99", "-ffreestanding", "-nostdinc", "-O2", *WARNINGS, "-DDUALCAY_FREESTANDING")
-    stddef = Path(run(tool("gcc"), "-print-file-name=include").strip())
-    run(tool("gcc"), *flags, f"-isystem{stddef}", f"-I{package}", "-c", source, "-o", tmp_path / "free.o")
-    assert run(tool("nm"), "--undefined-only", tmp_path / "free.o") == ""
-
-
 @pytest.mark.parametrize(("real", "suffix"), [("float", "f"), ("double", ""), ("long double", "l")])
 def test_roots_without_a_library_are_off_by_a_unit_at_most(package, tmp_path, real, suffix):
     """Compare at random bit patterns, subnormal ones too, and at zero, infinity, NaN and a negative number."""

@@ -17,12 +17,11 @@ from types import ModuleType
 import numpy as np
 import pytest
 
-import dualcay
 from derive.codegen.signatures import POSES, PUBLIC, ROTATIONS
 from derive.codegen.validation import NUMPY, replay
 from derive.maps import Cayley, family
 from tests.support.kernels import load, said
-from tests.support.native import PLAIN, build, found, require_one_in_all_layouts
+from tests.support.native import PLAIN, build, found
 from tests.support.rotation_arguments import arguments
 from tests.support.signatures import SIGNATURES, components_first, inputs
 
@@ -70,13 +69,6 @@ def test_backend_says_where_compiled_functions_run(package, where, table):
     assert {native[name] for name in native.keys() - found} == {"numpy"}
 
 
-def test_every_program_is_compiled(native, rotations):
-    for module in (native(3), rotations):
-        assert module.CHART.native.keys() == module.CHART.kernels.keys()
-        for name, compiled in module.CHART.native.items():
-            assert compiled.function.__name__ == compiled.directly.__name__ == name
-
-
 def test_reimport_reuses_compiled_functions(native):
     """Check that a second import does not recreate tables of the extension module, because NumPy keeps them."""
     native(3).pose(np.zeros(6))
@@ -94,17 +86,6 @@ def test_the_replay_agrees_with_the_formulas(package, chart):
         module = importlib.import_module(".".join(filter(None, (package, table.name, chart.name))))
         assert module.CHART.native
         assert replay(package, chart, [NUMPY], [table], geometry=True) > 100
-
-
-@pytest.mark.parametrize("name", NAMES)
-def test_layouts_agree_to_the_digit(native, name):
-    require_one_in_all_layouts(getattr(native(3), name), inputs(load(3), name, 3, (150,)), PUBLIC[name].shape)
-
-
-@pytest.mark.parametrize("name", OF_ROTATIONS)
-def test_layouts_of_rotations_agree_to_the_digit(rotations, name):
-    row = ROTATIONS.public[name]
-    require_one_in_all_layouts(getattr(rotations, name), arguments(row, dualcay.rotation.cayley3, (150,)), row.shape)
 
 
 @pytest.mark.parametrize("dtype", [np.float32, np.float64])
@@ -151,28 +132,6 @@ def test_other_number_types_run_in_numpy(native):
     for dtype in (np.float32, np.float64, np.longdouble):
         assert native(3).pose(v.astype(dtype)).dtype == dtype
     assert native(3).compose(v.astype(np.float32), v).dtype == np.float64
-
-
-@pytest.mark.parametrize(
-    "call",
-    [
-        lambda m: m.pose(np.zeros(5)),
-        lambda m: m.pose(np.zeros((2, 7))),
-        lambda m: m.pose(np.zeros((6, 2)), axis=1),
-        lambda m: m.rate(np.zeros((2, 6)), np.zeros((3, 6))),
-        lambda m: m.rate(np.zeros(6), np.zeros(())),
-        lambda m: m.pose(np.zeros(6), out=np.zeros((3, 4))),
-        lambda m: m.pose(np.zeros(6), out=np.zeros((4, 4), int)),
-        lambda m: m.compose(np.zeros(6, complex), np.zeros(6)),
-        lambda m: m.pose(["a"] * 6),
-    ],
-)
-def test_errors_match_numpy_kernels(native, call):
-    with pytest.raises((ValueError, TypeError)) as expected:
-        call(load(3))
-    with pytest.raises(expected.type) as found:
-        call(native(3))
-    assert str(found.value) == str(expected.value)
 
 
 def test_singular_points_raise_no_floating_point_error(native):

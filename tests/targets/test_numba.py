@@ -7,7 +7,6 @@ import re
 import shutil
 import subprocess
 import sys
-from fractions import Fraction
 from functools import partial
 from pathlib import Path
 from types import ModuleType
@@ -63,22 +62,6 @@ def test_rows_are_the_same_program(compiled, name):
 
 
 # compiled loops of further charts, with and without selections; validation covers the source of every order
-@pytest.mark.parametrize(
-    ("order", "name"), [(1, "pose"), (1, "from_pose"), (2, "quaternion"), (2, "rate"), (8, "pose"), (8, "principal")]
-)
-def test_other_orders(compiled, order, name):
-    values = inputs(load(order), name, order, (5,))
-    assert_nearly_equal(getattr(compiled(order), name)(*values), getattr(load(order), name)(*values), eps=40)
-
-
-@pytest.mark.parametrize("name", ["pose", "tangent_inv", "from_quaternion"])
-def test_single_precision(compiled, name):
-    for regime in ("uniform", "middle band", "below pi"):
-        Trial(compiled(ORDER), ORDER, regime, np.float32, singles_in_double=False).check(name)
-    values = [components_first(a, 1) for a in inputs(load(ORDER), name, ORDER, (9,), np.float32)]
-    got = getattr(compiled(ORDER), name)(*values, axis=0)
-    assert got.dtype == np.float32
-    assert_nearly_equal(got, getattr(load(ORDER), name)(*values, axis=0), eps=60)
 
 
 @pytest.mark.parametrize(("name", "rank"), [("transform_point", 1), ("pose", 2)])
@@ -122,12 +105,6 @@ def test_complex_vectors(compiled):
     np.testing.assert_allclose(got, load(ORDER).quaternion(v), atol=1e-14)
     with pytest.raises(TypeError, match="v must be real"):
         compiled(ORDER).principal(v)
-
-
-def test_fractions_run_the_same_source(compiled):
-    v = np.array([Fraction(k, 7) for k in range(1, 7)], dtype=object)
-    assert (compiled(ORDER).pose(v) == load(ORDER).pose(v)).all()
-    assert (compiled(ORDER).pose(v[:, None], axis=0)[..., 0] == load(ORDER).pose(v)).all()
 
 
 def test_wrong_arguments_are_named(compiled):
@@ -210,17 +187,6 @@ def test_compiled_loops_are_kept_on_disk_for_each_chart_and_its_scalars(imported
     assert hits(negative) == 0
 
 
-def test_compiled_user_code_may_call_cores(compiled):
-    core = compiled(ORDER).CHART.kernels["quaternion"].kernel.core
-
-    @numba.njit
-    def scalar_parts(rows):
-        return [core((v[0], v[1], v[2], v[3], v[4], v[5]))[0] for v in rows]
-
-    v = sampling.poses(ORDER, "uniform")
-    assert_nearly_equal(np.array(scalar_parts(v)), load(ORDER).quaternion(v)[:, 0], eps=40)
-
-
 def test_without_numba_the_import_says_what_is_missing(package):
     name = package("numba")
     folder = Path(sys.modules[name].__file__).parent.parent if name in sys.modules else None
@@ -232,16 +198,6 @@ def test_without_numba_the_import_says_what_is_missing(package):
     )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
     assert f"ImportError: {name} is compiled by Numba, which is not installed: pip install numba" in done.stderr
-
-
-@pytest.mark.parametrize("name", ["pose", "rate", "body_twist", "from_pose", "compose", "interpolate"])
-def test_kernels_are_called_pose_by_pose(compiled, inside, name):
-    values, kernel = inputs(load(ORDER), name, ORDER, (4,)), inside(getattr(compiled(ORDER), name))
-    expected = getattr(load(ORDER), name)(*values)
-    found = np.empty((4, expected[0].size))
-    for i in range(4):
-        assert kernel(*(np.ravel(value[i]) for value in values), found[i]) is None
-    assert_nearly_equal(found.reshape(expected.shape), expected, eps=40)
 
 
 def test_kernels_are_callable_from_compiled_code(compiled, inside):

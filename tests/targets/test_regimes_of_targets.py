@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from benchmarks.c_form import CForm, compiled
+from benchmarks.c_form import FLAGS, CForm, compiled
 from derive.codegen.rows import Table
 from derive.codegen.signatures import POSES, ROTATIONS
 from derive.codegen.validation.compiled import compiler
@@ -24,12 +24,14 @@ from tests.support import families, native, regimes
 from tests.support.libraries import Through
 from tests.support.regimes import Call
 from tests.support.subjects import REGIMES, Subject, subject
-from tests.targets.test_c_values import QUICKLY
 
 pytestmark = pytest.mark.filterwarnings("ignore:(invalid value|divide by zero|overflow):RuntimeWarning")
 
 TABLES = {"": POSES, "rotation": ROTATIONS}
 CHARTS: dict[str, Chart] = {"cayley3": Cayley(3), "lambert": family("lambert"), "exponential": family("exponential")}
+QUICKLY = (*FLAGS, "-O1")
+"""Flags for quick compilation: the final -O1 overrides earlier levels, and avoids slow vectorization."""
+
 EVERY = (*REGIMES, *regimes.INVERSE_REGIMES[-1:])
 
 
@@ -114,7 +116,9 @@ def wrong(functions: Functions, table: str, name: str, place: int, share: int, d
     return [reason for reason in (call.judged() for call in calls(chart, place, share, dtype)) if reason]
 
 
-SAMPLE = [("numpy", "rotation", "lambert", 41), ("numpy", "", "exponential", 41), ("jax", "rotation", "cayley3", 123)]
+SAMPLE = [
+    ("numpy", "rotation", "lambert", 41), ("numpy", "", "exponential", 41), ("jax traced", "rotation", "cayley3", 123),
+]  # fmt: skip
 WHOLE = [("rotation", "lambert", np.float64), ("rotation", "lambert", np.float32), ("", "cayley3", np.float64),
          ("rotation", "exponential", np.float64)]  # fmt: skip
 SLOW = WHOLE[1:3]
@@ -153,7 +157,7 @@ def test_steps_beside_whole_turns_have_the_pose(functions_of: Any, target: str) 
 @pytest.mark.parametrize(
     "target",
     [
-        "numpy", "jax", pytest.param("numba", marks=pytest.mark.thorough),
+        "numpy", "jax traced", pytest.param("numba", marks=pytest.mark.thorough),
         pytest.param("c", marks=[pytest.mark.compiler, pytest.mark.thorough]),
     ],
 )

@@ -51,21 +51,30 @@ class Place:
     pair: bool = False
     zero: Term | None = None  # number that certainly vanishes somewhere in the balls of the coordinates
     known: Mapping[Term, Term] = field(default_factory=dict)  # parts with a value that is certain there
+    turns: dict[Symbol, tuple[Numbers, Numbers]] = field(default_factory=dict)  # coordinates, and those over π
 
     @property
     def exact(self) -> bool:
-        """Whether all numbers are rational."""
-        return all(isinstance(c, int | Fraction) for c in self._numbers)
+        """Whether all numbers are rational, or rational multiples of π."""
+        rows = chain((row for a, row in self.at.items() if self.over_pi(a) is None), self.parts.values())
+        return all(isinstance(c, int | Fraction) for c in _numbers(rows))
+
+    def over_pi(self, letter: Symbol) -> Numbers | None:
+        """Return the coordinates of a letter over π, if they are known to be rational."""
+        coordinates, over = self.turns.get(letter, (None, ()))
+        return over if coordinates is self.at[letter] else None
 
     @property
     def sharp(self) -> bool:
         """Whether all numbers have no error."""
-        return all(arb(c).is_exact() or isinstance(c, Fraction) for c in self._numbers)
+        rows = chain(self.at.values(), self.parts.values())
+        return all(arb(c).is_exact() or isinstance(c, Fraction) for c in _numbers(rows))
 
-    @property
-    def _numbers(self) -> Iterator[Any]:
-        rows = chain(((c if isinstance(c, Iterable) else (c,)) for c in self.at.values()), self.parts.values())
-        return chain.from_iterable(rows)
+
+def _numbers(rows: Iterable[Any]) -> Iterator[Any]:
+    """Yield the numbers of rows of coordinates, and those that stand alone."""
+    for row in rows:
+        yield from row if isinstance(row, Iterable) else (row,)
 
 
 @dataclass(frozen=True)
@@ -135,13 +144,13 @@ class Claim:
 
     @cached_property
     def dual(self) -> bool:
-        dual = self.apart or bool(self.entry.where) or any(kind(letter).dual for letter in self.coordinates)
+        dual = self.apart or any(kind(letter).dual for letter in self.coordinates)
         return dual and not self.flat
 
     @cached_property
     def depth(self) -> int:
         """Highest order of a time derivative."""
-        depth = max(self.entry.moving, *map(rate_depth, self.parts))
+        depth = max(map(rate_depth, self.parts))
         if depth > RATES_MAX:
             raise RefusedError(f"rates are nested more than {RATES_MAX} deep")
         return 0 if self.flat else depth
@@ -159,7 +168,7 @@ class Claim:
             values[letter] = self.value(letter, place, field)
         if self.flat:
             values[epsilon] = 0
-        return Env(field or Balls(moving=bool(self.depth)), values, self.entry.definitions, self.dual, self.depth)
+        return Env(field or Balls(moving=bool(self.depth)), values, self.dual, self.depth)
 
     @cached_property
     def _last(self) -> dict[str, Any]:
@@ -183,7 +192,9 @@ class Claim:
 
     def value(self, letter: Symbol, place: Place, field: Field | None = None) -> Any:
         """Return the value of a letter: each coordinate with its rates, its dual part and the rates of this."""
-        row, coordinates = kind(letter), place.at[letter]
+        row, coordinates, over = kind(letter), place.at[letter], place.over_pi(letter)
+        if field is not None and over is not None:
+            coordinates = [field.pi * c for c in over]
         if row.spread == "integer" and not self.dual and not self.depth:
             return int(coordinates[0])
         number = (lambda c: c) if field else (lambda c: Ball(arb(c)))
@@ -215,6 +226,8 @@ class Claim:
             found: bool | None = self.evaluated(place, part, bool)
             if found is False and _is_endless(part):
                 raise BlurredError
+            if found is False and any(node.operator.name.startswith("cases") for node in distinct(part)):
+                found = not self.evaluated(place, negated(part), bool)  # with certain cases
         except BlurredError:
             if not place.exact or _is_endless(part):
                 raise
@@ -254,7 +267,7 @@ class Claim:
         """Return the claim about the current real value of a part, if dual parts and rates do not matter for it."""
         alone = self.within().with_statement(part)
         taken = [node for node in with_trait(Trait.APART, part) if node.operator is not Re]
-        return alone if taken or with_trait(Trait.RATE, part) or self.entry.where else replace(alone, flat=True)
+        return alone if taken or with_trait(Trait.RATE, part) else replace(alone, flat=True)
 
     def within(self, *terms: Term) -> Claim:
         """Return the claim on the part of its stated domain where some terms are true, without a condition."""

@@ -24,10 +24,10 @@ from ..result import Status
 from .claim import Claim, Place, RefusedError
 from .conditions import exclusions, is_sharp, plain
 from .existence import undecided_parts
-from .identity import MODULO, difference, jumps, orders_of
+from .identity import MODULO, difference, jumps
 from .ordering import ordered
 from .places import Probe
-from .proof import proved
+from .proof import proved, proved_at_orders
 from .regions import REGION_MIN, Region, branched, region
 from .singular import ORDERED
 from .split import split
@@ -127,13 +127,13 @@ def _found(claim: Claim, early: Callable[[Finding], None]) -> Finding:
 
     probe = Probe(claim)
     at = Outcome().tried(claim, probe.first(), enough)
-    settled = bool(at.true) and not (at.false or at.undefined or orders_of(claim))
+    settled = bool(at.true) and not (at.false or at.undefined)
     tried = settled and JUMPS.isdisjoint(operators(*claim.parts))
     first = Finding(Status.HOLDS, f"true at {at.points} points", at.points, true=tuple(at.true))
     if tried and at.points >= POINTS_MIN:
         early(_unproved(first, ""))
     how = _proof(claim) if tried else None
-    if how is not None and not _without_value(claim):
+    if how is not None and not _is_for_some_orders(how) and not _without_value(claim):
         return _proved(first, how)
     at.false += _equal_sides(claim, at.blurred)
     if not enough(at):
@@ -160,7 +160,7 @@ def _proof(claim: Claim) -> str | None:
     """Return how a claim is proved where both sides have a value, by the weakest of its parts; or None."""
     hows = [_proof_of_part(part) for part in split(claim)]
     known = [how for how in hows if how is not None]
-    return max(known, key=lambda how: (", n = " in how, how.startswith(MODULO))) if known == hows else None
+    return max(known, key=lambda how: (_is_for_some_orders(how), how.startswith(MODULO))) if known == hows else None
 
 
 def _proof_of_part(claim: Claim) -> str | None:
@@ -168,7 +168,11 @@ def _proof_of_part(claim: Claim) -> str | None:
         return None  # true at generic values, it may be false at special ones
     if not ORDERED.isdisjoint(operators(claim.statement)):
         return "exact" if ordered(claim) else None
-    return proved(claim)
+    return proved(claim) or proved_at_orders(claim)
+
+
+def _is_for_some_orders(how: str) -> bool:
+    return ", n = " in how
 
 
 def _with_proof(claim: Claim, finding: Finding, how: str | None) -> Finding:
@@ -176,7 +180,7 @@ def _with_proof(claim: Claim, finding: Finding, how: str | None) -> Finding:
     if how is None and (place := _failing_at_more_digits(claim, finding.true)) is not None:
         method = f"refuted at {place.label}, with {PRECISIONS[-1]} bits"
         return Finding(Status.FALSE, method, finding.points, "exact", failing=place)
-    if how is None or ", n = " in how:
+    if how is None or _is_for_some_orders(how):
         return _unproved(finding, how or "")
     if without := _without_value(claim, finding.needed):
         shown = ", ".join(dict.fromkeys(written(claim.entry.contracted(part)) for part in without[:SHOWN]))

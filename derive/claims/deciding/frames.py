@@ -30,7 +30,7 @@ INVARIANT = frozenset(("norm", "dot", "trace", "det", "distance"))
 
 def with_frames_at_rest(claim: Claim, *further: Term) -> tuple[Claim, tuple[Term, ...]]:
     """Return a claim and further terms with the identity for each frame, if they allow it."""
-    for frame in claim.coordinates if not claim.entry.where else ():
+    for frame in claim.coordinates:
         parts = [part for part in (claim.statement, claim.entry.claimed, *further) if part is not None]
         fixed = kind(frame).constant or not claim.depth
         if fixed and frame.quantity.name.endswith(("rotation", "orthogonal tensor")) and _all_turn(frame, parts):

@@ -43,8 +43,7 @@ STRICT = {"less": True, "at most": False, "greater": True, "at least": False}
 """Order relations, with whether they exclude equality."""
 ANGLES = frozenset(("real", "real angle", "dual number", "angle"))
 """Kinds of numbers that may be any number."""
-WHOLE = frozenset(("π", "integer", "order", "branch"))
-"""Kinds of letters in a multiple of π."""
+INTEGERS = frozenset(("integer", "order", "branch"))
 ABSENT = (ArithmeticError, TypeError, AttributeError, KeyError, ValueError, IndexError)
 """Errors of a number that a field does not have."""
 Make = Callable[..., Generators]
@@ -100,10 +99,13 @@ def _for_all_signs(claim: Claim, make: Make, choices: Sequence[Mapping[Symbol, i
 def jumps(statement: Term) -> bool:
     """Return whether a statement has an operator that jumps; the name of ``cases`` ends with its number of arms.
 
-    Equations as alternatives do not: one that is true at generic values is true wherever both sides have values.
+    Equations as alternatives do not: one that is true at generic values is true wherever both sides have values. Nor
+    does the floor of integers, which a proof takes for odd and for even ones.
     """
     if statement.operator.name == "or":
         return any(jumps(part) or part.operator.name not in ("or", "equal") for part in statement.arguments)
+    if statement.operator.name == "floor of number":
+        return not {letter.quantity.name for letter in symbols(statement)} <= {"index", *INTEGERS}
     return statement.operator.name.rstrip("0123456789") in CUT or any(map(jumps, statement.arguments))
 
 
@@ -143,9 +145,9 @@ def setting(
     turning = bool(counts) and is_frame_free(*claim.parts)
     given = bounds(domain), field, closed_letters(domain), dual, way, counts, turning
     letters = Polar(claim.coordinates, claim.depth, *given)
-    env = Env(letters.field, letters.values | dict(fixed), claim.entry.definitions, dual, claim.depth)
+    env = Env(letters.field, letters.values | dict(fixed), dual, claim.depth)
     for letter, turns in _turned(claim.statement).items():
-        if letter in env.values and letter.name not in given[0]:
+        if letter in env.values and letter.name not in {name.partition("/")[0] for name in given[0]}:
             env.values[letter] = env.values[letter] - env.value(turns)
     if claim.constraints:
         letters.field.restrict_to([letters.field.element(gap) for gap in gaps(env, claim.constraints)])
@@ -162,7 +164,7 @@ def _turned(statement: Term) -> dict[Symbol, Term]:
     for node in walk(statement):
         for a, b in permutations(node.arguments) if node.operator.name in ("plus", "minus") else ():
             names = {letter.quantity.name for letter in symbols(b)}
-            if isinstance(a, Symbol) and a.quantity.name in ANGLES and "π" in names and names <= WHOLE:
+            if isinstance(a, Symbol) and a.quantity.name in ANGLES and "π" in names and names <= {"π", *INTEGERS}:
                 found.setdefault(a, b if node.operator.name == "plus" else -b)
     return found
 

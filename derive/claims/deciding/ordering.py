@@ -21,7 +21,7 @@ from ..numbers.generators import Generators
 from ..numbers.signed import Bound
 from .claim import Claim, kind
 from .existence import MARGIN, Signs, signs_in, undecided_parts
-from .identity import ABSENT, STRICT, difference, not_negative, orders_of, setting, whole_steps
+from .identity import ABSENT, STRICT, difference, not_negative, setting, whole_steps
 from .polar import ALL, POSITIVE, Way, bounds
 from .proof import proved
 from .solved import conjuncts
@@ -36,7 +36,7 @@ Test = Callable[[Signs, Term], bool]
 
 def ordered(claim: Claim) -> bool:
     """Return whether the order relations that a claim states are proved."""
-    return not orders_of(claim) and _is_true(claim, claim.statement)
+    return _is_true(claim, claim.statement)
 
 
 def _is_true(claim: Claim, statement: Term) -> bool:
@@ -90,7 +90,7 @@ def _ways(claim: Claim) -> Iterator[Way]:
 def _for_all_signs(claim: Claim, way: Way, test: Test) -> bool:
     """Return whether a test is passed for all orders and for both signs of each root whose sign is unknown."""
     steps = whole_steps(claim.statement)
-    for fixed in claim.choices:
+    for fixed in claim.general:
         waiting: list[tuple[int, ...]] = [()]
         while waiting:
             chosen = waiting.pop()

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from math import inf, prod
+from types import MappingProxyType
 
 from ..language.calculus import BINDERS
 from ..language.matrices import zeros
@@ -63,22 +64,28 @@ def is_named(part: Term, named: Sequence[Term]) -> bool:
     return name == "times" and all(isinstance(a, Number) or is_named(a, named) for a in arguments)
 
 
-def least(term: Term, indices: Collection[Term] = ()) -> float:
-    """Return the least value of a sum or product of numbers, orders and `indices` from 0 on; -∞ if it is not known."""
+def least(term: Term, indices: Mapping[Term, Collection[Term]] = MappingProxyType({})) -> float:
+    """Return the least value of a sum or product of numbers, orders and indices; -∞ if it is not known.
+
+    The `indices` start at 0 or above, and end at these terms.
+    """
     if isinstance(term, Number):
         return term.value
     if isinstance(term, Symbol):
         return 1 if term.quantity is ORDER else 0 if term.quantity is BRANCH or term in indices else -inf
     name, parts = term.operator.name, [least(a, indices) for a in term.arguments]
+    if name == "minus" and {term.arguments[0]} == indices.get(term.arguments[1]):
+        return 0
     if name == "plus" or (name == "minus" and isinstance(term.arguments[1], Number)):
         return parts[0] + parts[1] * (1 if name == "plus" else -1)
     return prod(parts) if name in ("times", "bracket") and min(parts) >= 0 else -inf
 
 
-def _indices(statement: Term) -> set[Term]:
-    """Return the indices of sums and products that are never negative."""
+def _indices(statement: Term) -> dict[Term, set[Term]]:
+    """Return the indices of sums and products that are never negative, with their ends."""
     rows = [node.arguments for node in walk(statement) if BINDERS.get(node.operator.name) == 0]
-    return {index for index, *_ in rows} - {index for index, low, *_ in rows if least(low) < 0}
+    negative = {index for index, low, *_ in rows if least(low) < 0}
+    return {index: {high for one, _, high, *_ in rows if one == index} for index, *_ in rows if index not in negative}
 
 
 def partial_operations(

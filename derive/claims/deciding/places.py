@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import random
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
 from fractions import Fraction
@@ -117,7 +117,7 @@ class Probe:
         return replace(place, label=f"near {place.label}", at=at, generic=True, on="", zero=None)
 
     def _inside(self, places: Iterable[Place]) -> Iterator[Place]:
-        for place in filter(self._is_invertible, places):
+        for place in filter(self._has_kinds, places):
             try:
                 if self.claim.inside(place) and (not self.claim.depth or self._is_on(place)):
                     yield place
@@ -126,10 +126,13 @@ class Probe:
             except BlurredError:
                 continue
 
-    def _is_invertible(self, place: Place) -> bool:
-        """Return whether no letter is 0 whose kind leaves 0 out."""
+    def _has_kinds(self, place: Place) -> bool:
+        """Return whether no letter is 0 whose kind leaves 0 out, and each branch is less than the order."""
+        counts: Mapping[Symbol, Any] = place.at
+        orders, branches = ([counts[a] for a in self.claim.letters if a.quantity is row] for row in (ORDER, BRANCH))
         letters = (a for a in self.claim.coordinates if kind(a).invertible)
-        return not any(arb(c).contains(0) for a in letters for c in place.at[a])
+        return all(0 <= k < n for n in orders for k in branches) and not any(
+            arb(c).contains(0) for a in letters for c in place.at[a])
 
     def _is_on(self, place: Place) -> bool:
         """Return whether the rates of a point, too, fulfil the equations of the stated domain."""
@@ -186,16 +189,18 @@ class Probe:
         for a in self.claim.coordinates:
             rows: list[tuple[str, Numbers, dict[Symbol, Numbers]]]
             rows = [(label, c, {}) for label, c in special(kind(a)).items()]
+            over = kind(a).special(Fraction(1))
             if kind(a).dual:
                 still: dict[Symbol, Numbers] = {a: [Fraction(0)] * len(self.claim.further(a, Place("", {})))}
                 rows += [(f"{label}, real", c, still) for label, c, _ in rows[:1]]
                 rows.append(("real", self._drawn(a, 0.3, 2.0), still))
-            found += [(a, label, Place("", {a: c}, parts=parts)) for label, c, parts in rows]
+            turns = {label: {a: (c, over[label])} if "pi" in label else {} for label, c, _ in rows}
+            found += [(a, label, Place("", {a: c}, parts=parts, turns=turns[label])) for label, c, parts in rows]
         return found
 
     def _special(self) -> Iterator[Place]:
         for letter, label, one in self._specials:
-            yield Place(f"{letter.name}: {label}", {**self.drawn(), **one.at}, parts=one.parts)
+            yield replace(one, label=f"{letter.name}: {label}", at={**self.drawn(), **one.at})
         origin = {a: special(kind(a))["0"] for a in self.claim.coordinates if "0" in special(kind(a))}
         if len(origin) > 1:
             yield Place(f"{', '.join(a.name for a in origin)} = 0", {**self.drawn(), **origin}, pair=True)
@@ -210,9 +215,12 @@ class Probe:
 
     def _pairs(self) -> Iterator[Place]:
         pairs = [(one, two) for one, two in combinations(self._specials, 2) if one[0] != two[0]]
-        for (a, label, one), (b, other, two) in self.random.sample(pairs, min(PAIRS_MAX, len(pairs))):
+        drawn = self.random.sample(pairs, min(PAIRS_MAX, len(pairs)))
+        alike = [pair for pair in pairs if pair[0][1] == pair[1][1] and pair not in drawn]
+        for (a, label, one), (b, other, two) in (*drawn, *alike):
             at, parts = {**self.drawn(), **one.at, **two.at}, {**one.parts, **two.parts}
-            yield Place(f"{a.name}: {label}, {b.name}: {other}", at, parts=parts, pair=True)
+            name = f"{a.name}: {label}, {b.name}: {other}"
+            yield Place(name, at, parts=parts, pair=True, turns=one.turns | two.turns)
 
     def _related(self) -> Iterator[Place]:
         """Yield points where two letters of like kinds are equal, opposite or parallel."""

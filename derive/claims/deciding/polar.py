@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from enum import Enum, auto
 from fractions import Fraction
+from itertools import permutations
 from typing import Any
 
 import sympy
@@ -159,6 +160,8 @@ class Polar:
         shut = {name for name in ranges if name.split(".")[0] in closed} | (reached & set(ranges)) | set(least)
         self.field = field(names, ranges, integers, closed=shut)
         self.field.limits = {name for name in ranges if name.split(".")[1] in LENGTHS}
+        quotients = ((key.partition("/"), ends) for key, ends in bounds.items() if "/" in key)
+        self.field.ratios = {((f"{a}.0", 1), (f"{n}.0", -1)): ends for (a, _, n), ends in quotients}
         self.field.endless = {f"{a.name}.A" for a, form in self.forms.items() if form is TANGENT}
         self.values = {a: self._value(a, list(stems[a])) for a in letters}
         self.values |= {a: self.field.symbol(f"{a.name}.0") for a in counts}
@@ -185,7 +188,10 @@ class Polar:
 
 
 def bounds(parts: Sequence[Term]) -> dict[str, tuple[Bound, Bound]]:
-    """Return the intervals of numbers and of magnitudes that the relations of a domain give, by letter."""
+    """Return the intervals of numbers and of magnitudes that the relations of a domain give, by letter.
+
+    That of ``a`` between multiples of an order n stands at ``a/n``.
+    """
     found: dict[str, tuple[Bound, Bound]] = {}
     for letter, low, high in (row for part in parts for row in _bound(part)):
         least, most = found.get(letter, ALL)
@@ -195,7 +201,8 @@ def bounds(parts: Sequence[Term]) -> dict[str, tuple[Bound, Bound]]:
 
 def closed_letters(parts: Sequence[Term]) -> set[str]:
     """Return the letters with a bound that the domain includes."""
-    return {row[0] for part in parts if part.operator.name in ("at most", "at least") for row in _bound(part)}
+    rows = (row for part in parts if part.operator.name in ("at most", "at least") for row in _bound(part))
+    return {name.partition("/")[0] for name, *_ in rows}
 
 
 def _bound(part: Term) -> Iterator[tuple[str, Bound, Bound]]:
@@ -206,12 +213,21 @@ def _bound(part: Term) -> Iterator[tuple[str, Bound, Bound]]:
     below = name in ("less", "at most")
     a, b = part.arguments
     for inner, outer, is_upper in ((a, b, below), (b, a, not below)):
-        end, inner = _constant(outer), _whole(inner)
-        subject = _of_length(inner.arguments[0]) if inner.arguments and inner.operator.name == "norm" else inner
+        (over, rest), inner = _order(outer), _whole(inner)
+        end, is_length = _constant(rest), inner.operator.name == "norm"
+        subject = _of_length(inner.arguments[0]) if is_length else inner
         if end is not None and isinstance(subject, Symbol):
-            least = -sympy.oo if subject is inner else -end
-            if is_upper or subject is inner:  # a magnitude above a bound leaves two intervals
-                yield (subject.name, least, end) if is_upper else (subject.name, end, sympy.oo)
+            least = -end if is_length else -sympy.oo
+            if is_upper or not is_length:  # a magnitude above a bound leaves two intervals
+                yield (subject.name + over, least, end) if is_upper else (subject.name + over, end, sympy.oo)
+
+
+def _order(term: Term) -> tuple[str, Term]:
+    """Return the name of an order after a slash, and the other factor, of a product with an order; else the term."""
+    for a, b in permutations(term.arguments) if term.operator.name == "times" else ():
+        if isinstance(a, Symbol) and a.quantity is ORDER:
+            return f"/{a.name}", b
+    return "", term
 
 
 def _whole(side: Term) -> Term:

@@ -16,12 +16,19 @@ EVERY = "exact, all n"
 
 def proved(claim: Claim) -> str | None:
     """Return how a claim is proved where both sides have a value, or None."""
-    of = orders_of(claim)
-    ways: tuple[tuple[Callable[[Claim], bool], str], ...] = (
-        (proved_for_all_orders, EVERY), (proved_exactly, f"exact{of}"),
-        (proved_modulo, f"{MODULO}, error < 2^-{SURE_BITS}{of}"),
-    )
-    for prove, how in ways if of else ways[1:]:
+    modulo = f"{MODULO}, error < 2^-{SURE_BITS}"
+    if orders_of(claim):
+        return _first(claim, (proved_for_all_orders, EVERY))
+    return _first(claim, (proved_exactly, "exact"), (proved_modulo, modulo))
+
+
+def proved_at_orders(claim: Claim) -> str | None:
+    """Return at which orders a claim about every order is proved, which is no proof of it; or None."""
+    return _first(claim, (proved_exactly, f"exact{orders_of(claim)}")) if orders_of(claim) else None
+
+
+def _first(claim: Claim, *ways: tuple[Callable[[Claim], bool], str]) -> str | None:
+    for prove, how in ways:
         with suppress(NotExactError):
             if prove(claim):
                 return how

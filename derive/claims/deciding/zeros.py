@@ -166,7 +166,7 @@ def _brackets(
     if brief:
         return
     for (t, f), (_, g), (u, h) in zip(seen, seen[1:], seen[2:], strict=False):
-        if None not in (f, g, h) and f * h > 0 and f * g > 0 and 2 * abs(g) < abs(f) + abs(h) and g * g <= f * h:
+        if None not in (f, g, h) and f * h > 0 and f * g > 0 and not abs(g) > abs(f) and not abs(g) > abs(h):
             yield t, partial(_about_least, value, arb(t), arb(u), f, h)
 
 

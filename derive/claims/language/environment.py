@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -13,33 +12,19 @@ from . import values
 from .printed import Number, Symbol, Term, letters
 
 
-@dataclass(frozen=True)
-class Definition:
-    """Definition of a symbol that is not free; its value is ``function(env)``, which depends on the arguments."""
-
-    symbol: Symbol
-    function: Callable[[Env], Any]
-    arguments: tuple[Symbol, ...]
-
-
-def let(symbol: Symbol, function: Callable[[Env], Any], *arguments: Symbol) -> Definition:
-    """Return the definition ``symbol := function(env)``, whose value depends on the arguments."""
-    return Definition(symbol, function, arguments)
-
-
 @dataclass
 class Env:
     """Environment: values of symbols over a field of numbers.
 
-    `values` contains the free symbols; values of defined symbols are added on first use. Coefficients are dual numbers
-    if `dual`, and their parts carry time derivatives up to the order `moving`.
+    `values` contains the letters; values of constants are added on first use. Coefficients are dual numbers if `dual`,
+    and their parts carry time derivatives up to the order `moving`.
     """
 
     field: Field
     values: dict[Symbol, Any]
-    definitions: Mapping[Symbol, Definition] = dataclasses.field(default_factory=dict)
     dual: bool = True
     moving: int = 0
+    powers: dict[int, tuple[Any, int, Any]] = dataclasses.field(default_factory=dict, repr=False)  # last of each base
     known: dict[Term, Any] = dataclasses.field(default_factory=dict, init=False, repr=False)  # values of parts
 
     def value(self, statement: Term) -> Any:
@@ -65,12 +50,8 @@ class Env:
         """Return a copy of the environment in which one more symbol, such as a summation index, has a value."""
         if not isinstance(index, Symbol):
             raise TypeError(f"only a symbol can be bound, not {index!r}")
-        kept = self.values
-        if index.quantity.varies:  # definitions may contain it
-            kept = {symbol: known for symbol, known in kept.items() if symbol not in self.definitions}
-        found = dataclasses.replace(self, values={**kept, index: value})
-        if not self.definitions:
-            found.known.update((part, value) for part, value in self.known.items() if index not in letters(part))
+        found = dataclasses.replace(self, values={**self.values, index: value})
+        found.known.update((part, value) for part, value in self.known.items() if index not in letters(part))
         return found
 
     def equal(self, a: Any, b: Any) -> bool:
@@ -101,8 +82,6 @@ class Env:
         return Dual(innermost(a.re), innermost(a.du)) if self.dual else innermost(a)
 
     def _meaning(self, symbol: Symbol) -> Any:
-        if definition := self.definitions.get(symbol):
-            return definition.function(self)
         if symbol.quantity.value is not None:
             return symbol.quantity.value(self.field)
         raise KeyError(f"symbol {symbol.name!r} has no value")

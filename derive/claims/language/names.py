@@ -239,13 +239,13 @@ def call(abbreviation: Abbreviation, arguments: Sequence[Term], kinds: tuple[Kin
         if printed:
             shown = macro(printed, 1), shown[1]
         traits = Trait.DELICATE if delicate else Trait.NONE
-        operator_table.define(name, *shown, ATOM, (LIST,), _called, traits=traits)
+        operator_table.define(name, *shown, ATOM, (LIST,), _unfilled, traits=traits)
         CALLS[name] = kinds
     return Apply(name, abbreviation.symbol(kinds), *arguments)
 
 
-def _called(env: Any, f: Any, *arguments: Any) -> Any:
-    return f(*arguments) if arguments else f
+def _unfilled(env: Any, *parts: Any) -> Any:
+    raise NotImplementedError("a claim is evaluated with its definitions filled in")
 
 
 GREEK = re.findall(

@@ -13,10 +13,11 @@ from itertools import count, islice, pairwise
 from typing import Any
 
 from ...algebra import Quaternion, Structure, Tensor, matrix
-from ...algebra.element import NotExactError
+from ...algebra.element import Element, NotExactError
 from ..numbers.balls import BlurredError
 from ..numbers.fields import UndefinedError, innermost
 from . import values
+from .binomial_sums import binomial_sum
 from .environment import Env
 from .printed import (
     ATOM,
@@ -148,8 +149,10 @@ def _over_index(combined: Callable[[Any, Any], Any], empty: int) -> Callable[...
 
     def value(env: Env, index: Term, low: Term, high: Term, body: Term) -> Any:
         first, last = (None if end == infinity else env.value(end) for end in (low, high))
+        if isinstance(last, Element) and combined is values.add:
+            return binomial_sum(env, index, first, last, body)
         if not (isinstance(first, int) and isinstance(last, int | None)):
-            raise NotExactError("a sum of n terms")
+            raise NotExactError("a product of n factors")
         if last is None and not env.field.ordered:
             raise NotExactError("an infinite sum")
         terms = (env.bound(index, k).value(body) for k in count(first))

@@ -33,7 +33,17 @@ def _power(env: Env, base: Term, exponent: Term) -> Any:
         return reduce(matrix.product, [factor] * abs(e), matrix.identity(len(value.rows)))
     if (env.field.ordered or isinstance(e, Series)) and not isinstance(e, int | Fraction | Structure):
         return env.field.exp(env.field.log(value) * e)
+    if isinstance(value, Structure) and isinstance(e, int) and e > 1:
+        return _next_power(env, value, e)
     return env.field.power(value, e)
+
+
+def _next_power(env: Env, base: Any, e: int) -> Any:
+    """Return a power by the one before, if this is known: sums take them in turn."""
+    _, known, power = env.powers.get(id(base), (base, 0, None))
+    found = values.multiply(power, base) if known == e - 1 else env.field.power(base, e)
+    env.powers[id(base)] = base, e, found
+    return found
 
 
 def _limit_of_power(env: Env, base: Any, e: Series) -> Any:

@@ -35,6 +35,11 @@ class Along:
         if what == "angle":
             y, x = known
             return (x * self.slope(y) - y * self.slope(x)) / (x * x + y * y)
+        if what == "power":
+            factor, twice = known
+            if self.slope(twice):
+                raise NotExactError("the derivative by an integer")
+            return t * twice * self.slope(factor) / (2 * factor)
         rates: Mapping[str, Callable[[], Any]] = {
             "tangent": lambda: (1 + t * t) / (2 * self.field.steps), "exponential": lambda: t,
             "root": lambda: 1 / (2 * t), "logarithm": lambda: 1 / known,
@@ -61,7 +66,7 @@ class Along:
         if generator not in self.field.meaning or not self._slope_of(generator):
             return field.symbol(generator)
         what, known = self.field.meaning[generator]
-        value = self.start(known[0] if what == "angle" else known)
+        value = self.start(known[0] if what in ("angle", "power") else known)
         if what == "root" and (root := field.root(value)) is not None:
             return field.chosen(root)
         first = {"tangent": (0, 0), "exponential": (0, 1), "logarithm": (1, 0), "angle": (0, 0)}.get(what)

@@ -1,7 +1,7 @@
 """Fields in which formulas are evaluated, with their elementary functions.
 
-`Exact` and `Constants` have rational numbers. Numbers of points are those of `derive.claims.numbers.balls`, and those
-of all points at once those of `derive.claims.numbers.generators`.
+`Exact` and `Constants` have rational numbers and π. Numbers of points are those of `derive.claims.numbers.balls`, and
+those of all points at once those of `derive.claims.numbers.generators`.
 """
 
 from __future__ import annotations

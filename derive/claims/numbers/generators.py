@@ -20,23 +20,19 @@ from itertools import combinations
 from math import prod
 from typing import Any
 
-from ...algebra import Dual, Quaternion, Vector, dual_part, real_part
 from ...algebra.element import Element, NotExactError
-from .fields import Field
 from .ideal import Ideal
+from .integers import Integers, is_whole
 from .intervals import INTERVALS, Monomial, interval
-from .powers import is_whole, power
 from .signed import Bound, Signed, turns_to_principal
 
 POOLS = {"tangent": 7, "exponential": 2, "root": 4, "logarithm": 4, "angle": 4, "turn": 3, "power": 0}
 """Number of generators of the exact field that are given a meaning when a formula needs one; a turn is an integer."""
 POWERS_MAX = 12
 """Number of generators of powers in a field with integers."""
-ROOTS_MAX = 5
-"""Largest number of roots of unknown sign."""
 
 
-class Generators(Field):
+class Generators(Integers):
     """Rational functions of independent generators, with sines, exponentials, logarithms and roots.
 
     Multiples of ``m/steps`` have exact sine and cosine, for every monomial m of the names. `ranges` gives intervals of
@@ -50,13 +46,12 @@ class Generators(Field):
         self, names: Sequence[str], ranges: Mapping[str, tuple[Bound, Bound]], integers: Sequence[str], steps: int,
         signs: Sequence[int] = (), closed: Collection[str] = (),
     ) -> None:  # fmt: skip
-        self.names, self.given, self.steps, self.signs = tuple(names), dict(ranges), steps, list(signs)
+        super().__init__(signs)
+        self.names, self.given, self.steps = tuple(names), dict(ranges), steps
         self.closed, self.limits, self.endless = closed, set[str](), set[str]()
+        self.ratios: dict[Monomial, tuple[Bound, Bound]] = {}  # intervals of quotients
         self.pools = {**self.pools, "power": POWERS_MAX if integers else 0}
         self.integers = {*integers, *self.pool("turn")}
-        self.roots: list[Any] = []  # roots of unknown sign, up to this sign; None for the sign of a parity
-        self.parities: dict[tuple[str, Monomial], int] = {}
-        self.powers: dict[tuple[str, Monomial], tuple[Any, str, Any]] = {}  # factors, names, and twice the exponents
         self.meanings: dict[tuple[str, Monomial], str] = {}  # generators of tangents and exponentials
         self.taken = dict.fromkeys(POOLS, 0)  # numbers of generators with a meaning
         self.extensions: list[tuple[Any, str]] = []  # numbers that are no squares, with the generators of their roots
@@ -104,7 +99,7 @@ class Generators(Field):
     def meaning(self) -> dict[str, tuple[str, Any]]:
         """Meaning of each generator, such as a root, with its number, its monomial, or the point (y, x) of an angle."""
         found = {name: (what, self.product(monomial)) for (what, monomial), name in self.meanings.items()}
-        rows = (("root", self.extensions), ("logarithm", self.logarithms), ("angle", self.angles))
+        rows = (("root", self.extensions), ("logarithm", self.logarithms), ("angle", [*self.angles, *self.lines]))
         found |= {name: ("power", (factor, twice)) for factor, name, twice in self.powers.values()}
         return {str(name): (what, known) for what, pairs in rows for known, name in pairs} | found
 
@@ -132,7 +127,7 @@ class Generators(Field):
                 squares = prod((other for other, _ in some), start=self.element(1))
                 if (found := self.root(squares * a)) is not None:
                     return self.chosen(found / squares * prod(self.symbol(name) for _, name in some))
-        name, square = self._next("root"), a.numerator * a.denominator
+        name, square = self.next_of("root"), a.numerator * a.denominator
         generator = self.symbol(name)
         self.ring.relations.append(generator.numerator**2 - square)
         self.restrict("root", name, self.ring.fraction(square, self.ring.library.one))
@@ -174,71 +169,8 @@ class Generators(Field):
                 sign, ratio = prod(sign for sign, _ in some), root / prod(known for _, known in some)
                 if self.is_positive(ratio) or self.is_positive(-ratio):
                     return root * sign if self.is_positive(ratio) else -root * sign
-        self.assumed.append(root * self._next_sign(root))
+        self.assumed.append(root * self.next_sign(root))
         return self.assumed[-1]
-
-    def _next_sign(self, root: Any) -> int:
-        """Return the next of `signs`, for a root or for a parity."""
-        if len(self.roots) == ROOTS_MAX:
-            raise NotExactError(f"more than {ROOTS_MAX} roots of unknown sign")
-        self.roots.append(root)
-        self.signs += [1] * (len(self.roots) - len(self.signs))
-        return self.signs[len(self.roots) - 1]
-
-    # ---- integers in exponents ---------------------------------------------------------------------------------------
-
-    def power(self, base: Any, exponent: Any) -> Any:
-        return power(self, base, exponent) if isinstance(exponent, Element) else super().power(base, exponent)
-
-    def parity(self, monomial: Monomial, of: str = "one") -> int:
-        """Return 1 for an even product of integers, -1 for an odd one, by the next of `signs`; also `of` its half."""
-        if not monomial:
-            return -1 if of == "one" else 1
-        known = of, tuple((name, 1) for name, _ in monomial) if of == "one" else monomial
-        if known not in self.parities:
-            self.parities[known] = self._next_sign(None)
-        return self.parities[known]
-
-    def _quarters(self, monomial: Monomial, count: int) -> tuple[Any, Any]:
-        """Return cosine and sine of ``count monomial π/2`` for a product of integers."""
-        one, zero = self.element(1), self.element(0)
-        if count % 2 == 0:
-            return (one if count % 4 == 0 else one * self.parity(monomial)), zero
-        half = one * self.parity(monomial, "half")
-        if self.parity(monomial) == 1:
-            return half, zero
-        return zero, half if count % 4 == 1 else -half
-
-    def half_power(self, factor: Any, monomial: Monomial, is_odd: bool) -> Any:
-        """Return the magnitude of a factor to the half of an integer, or to that of the integer less 1."""
-        if (str(factor), monomial) not in self.powers:
-            name = self._next("power")
-            self.powers[str(factor), monomial] = factor, name, self.product(monomial) - int(is_odd)
-            self.restrict("power", name, factor)
-        return self.symbol(self.powers[str(factor), monomial][1])
-
-    def line(self, y: Any, x: Any) -> Any:
-        """Return the angle of the line through a point (x, y), up to half turns."""
-        if not (isinstance(y, Dual) or isinstance(x, Dual)):
-            return self._angle_of_line(self.element(y), self.element(x))
-        a, b = real_part(y), real_part(x)
-        return Dual(self.line(a, b), (b * dual_part(y) - a * dual_part(x)) / (a * a + b * b))
-
-    def _angle_of_line(self, y: Any, x: Any) -> Any:
-        if not x:
-            return self.pi / 2
-        found = next(self._multiples(lambda c, s: y * c == x * s), None)
-        if found is None:
-            raise NotExactError("a power of a quaternion with an unknown angle")
-        return self.product(found[0]) * found[1]
-
-    def pair(self, n: Any, x: Any) -> Any:
-        """Return ``p_n`` and ``q_n`` at x, from ``(1 + iX)ⁿ = p_n + i X q_n``."""
-        if not isinstance(n, Element):
-            return super().pair(n, x)
-        X = self.sqrt(x)
-        found = self.power(Quaternion(1, Vector(0, 0, X)), n)
-        return found.scalar, found.vector.c3 / X
 
     # ---- angles and exponents ----------------------------------------------------------------------------------------
 
@@ -259,7 +191,7 @@ class Generators(Field):
     def _of_monomial(self, monomial: Monomial, multiple: Fraction) -> tuple[Any, Any]:
         whole = tuple(row for row in monomial if row != ("pi", 1))
         if len(whole) < len(monomial) and is_whole(self, whole) and (2 * multiple).denominator == 1:
-            return self._quarters(whole, int(2 * multiple))
+            return self.quarters(whole, int(2 * multiple))
         count = multiple * self.steps
         if count.denominator != 1 or not monomial:
             raise NotExactError("a number or a fraction of an angle in a sine")
@@ -292,12 +224,12 @@ class Generators(Field):
     def _meaning(self, what: str, monomial: Monomial) -> str:
         """Return the generator for the tangent or exponential of a monomial."""
         if (what, monomial) not in self.meanings:
-            name = self._next(what)
+            name = self.next_of(what)
             self.meanings[what, monomial] = name
             self.restrict(what, name, monomial)
         return self.meanings[what, monomial]
 
-    def _next(self, what: str) -> str:
+    def next_of(self, what: str) -> str:
         """Return the next generator of a pool."""
         if self.taken[what] == self.pools[what]:
             raise NotExactError(f"no generator is left for another {what}")
@@ -318,7 +250,7 @@ class Generators(Field):
         for known, found in self.logarithms:
             if a == known:
                 return found
-        self.logarithms.append((a, self.symbol(self._next("logarithm"))))
+        self.logarithms.append((a, self.symbol(self.next_of("logarithm"))))
         return self.logarithms[-1][1]
 
     def positive_factors(self, a: Any) -> list[tuple[Any, int]]:
@@ -346,7 +278,7 @@ class Generators(Field):
                 return angle
         angle = self._known_angle(y, x)
         if angle is None:
-            name = self._next("angle")
+            name = self.next_of("angle")
             angle = self.symbol(name)
             self.restrict("angle", name, y)
         self.angles.append(((y, x), angle))
@@ -358,16 +290,15 @@ class Generators(Field):
 
     def _known_angle(self, y: Any, x: Any) -> Any:
         """Return the angle of a point as k/steps of a monomial, plus turns if its range does not tell; else None."""
-        found = next(self._multiples(lambda c, s: self._along(y, x, s, c)), None)
-        if found is None:
-            return None
-        monomial, part = found
-        closed = any(name in self.closed for name, _ in monomial)
-        turns = turns_to_principal(part, *interval(self, monomial), closed)
-        return self.product(monomial) * part + 2 * self.pi * (
-            self.symbol(self._next("turn")) if turns is None else turns)
+        for sign, half in ((1, 0), (-1, 1)):
+            for monomial, part in self.multiples(lambda c, s: self._along(y * sign, x * sign, s, c)):  # noqa: B023
+                closed = any(name in self.closed for name, _ in monomial)
+                turns = turns_to_principal(part, *interval(self, monomial), closed, half)
+                whole = self.symbol(self.next_of("turn")) if turns is None else turns
+                return self.product(monomial) * part + self.pi * (2 * whole + half)
+        return None
 
-    def _multiples(self, test: Callable[[Any, Any], bool]) -> Iterator[tuple[Monomial, Fraction]]:
+    def multiples(self, test: Callable[[Any, Any], bool]) -> Iterator[tuple[Monomial, Fraction]]:
         """Yield the multiples of the monomials of known tangents whose cosine and sine pass a test."""
         for monomial in [monomial for what, monomial in self.meanings if what == "tangent"]:
             for part in (Fraction(k, self.steps) for k in range(-2 * self.steps, 2 * self.steps + 1) if k):

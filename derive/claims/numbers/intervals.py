@@ -16,9 +16,9 @@ Monomial = tuple[tuple[str, int], ...]
 
 
 def interval(field: Any, monomial: Monomial) -> tuple[Bound, Bound]:
-    """Return the interval of a monomial: that of a name, else all numbers."""
+    """Return the interval of a monomial: that of a name or of a quotient, else all numbers."""
     (name, power), *rest = monomial
-    found: tuple[Bound, Bound] = ALL if rest or power != 1 else field.given.get(name, ALL)
+    found: tuple[Bound, Bound] = field.ratios.get(monomial, ALL) if rest or power != 1 else field.given.get(name, ALL)
     return found
 
 

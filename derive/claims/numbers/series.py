@@ -13,7 +13,7 @@ from fractions import Fraction
 from typing import Any
 
 from ...algebra import Dual, Structure
-from ...algebra.element import NotExactError
+from ...algebra.element import Element, NotExactError
 from .fields import Field, UndefinedError
 
 
@@ -203,6 +203,17 @@ class SeriesField(Field):
         if not isinstance(n, int):
             raise NotExactError("derivatives of p_n and q_n for a symbolic n")
         return Field.pair(n, x)
+
+    def power(self, base: Any, exponent: Any) -> Any:
+        """Return a power; that with a letter as exponent by ``f g' = exponent f' g``."""
+        if not isinstance(exponent, Element) or isinstance(base, Dual | Structure):
+            return super().power(base, exponent)
+        u = self.series(base).upto(self.series(base).end)
+        found = [self.base.power(u[0], exponent)]
+        for k in range(1, len(u)):
+            terms = ((exponent * j - (k - j)) * u[j] * found[k - j] for j in range(1, k + 1))
+            found.append(sum(terms) / (u[0] * self.number(k)))
+        return Series(self, 0, found)
 
     def same(self, a: Any, b: Any) -> bool:
         return self.vanishes(a - b)

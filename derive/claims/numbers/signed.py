@@ -159,9 +159,12 @@ def _rational(low: Bound, high: Bound, margin: Fraction) -> tuple[Bound, Bound]:
     return near(low, 1), near(high, -1)
 
 
-def turns_to_principal(part: Fraction, low: Bound, high: Bound, closed: bool) -> int | None:
-    """Return the number of turns that brings a multiple of each angle of an interval into (−π, π], or None."""
-    ends = [sympy.Rational(part.numerator, part.denominator) * end for end in (low, high)]
+def turns_to_principal(part: Fraction, low: Bound, high: Bound, closed: bool, half: int = 0) -> int | None:
+    """Return the number of turns that brings a multiple of each angle of an interval into (−π, π], or None.
+
+    Half a turn is added to each angle if `half` is 1.
+    """
+    ends = [sympy.Rational(part.numerator, part.denominator) * end + half * sympy.pi for end in (low, high)]
     if not all(end.is_finite for end in ends):
         return None
     turns = int(sympy.ceiling((-sympy.pi - min(ends)) / (2 * sympy.pi)))

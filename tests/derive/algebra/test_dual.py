@@ -16,7 +16,7 @@ from derive.algebra import Dual, Vector, ZeroDivisorError, dual_part, real_part
 fractions = st.fractions(min_value=-9, max_value=9, max_denominator=9)
 duals = st.builds(Dual, fractions, fractions)
 invertible = duals.filter(lambda a: a.re != 0)
-few = settings(max_examples=40)
+few = settings(max_examples=20)
 
 
 @few

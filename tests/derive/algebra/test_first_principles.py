@@ -1,4 +1,4 @@
-"""Tangent operators and exponential maps from first principles; rates of an axis; singular compositions."""
+"""Tangent operators and exponential maps from first principles; singular compositions."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from typing import Any
 import mpmath
 import pytest
 
-from derive.algebra import Dual, Quaternion, Tensor, Vector, ZeroDivisorError, first_principles
+from derive.algebra import Dual, Quaternion, Vector, ZeroDivisorError, first_principles
 from derive.algebra.first_principles import quaternion_exponential, tensor_exponential
 from derive.maps import cayley_scalars
 from derive.proof import evaluation
@@ -19,28 +19,6 @@ pytestmark = pytest.mark.usefixtures("fifty_digits")
 TINY = mpmath.mpf(10) ** -40
 Gap = Callable[[object, object], Any]
 Draw = Callable[..., Vector]
-
-
-def sine(a: Any) -> Any:
-    return Dual(sine(a.re), cosine(a.re) * a.du) if isinstance(a, Dual) else mpmath.sin(a)
-
-
-def cosine(a: Any) -> Any:
-    return Dual(cosine(a.re), -sine(a.re) * a.du) if isinstance(a, Dual) else mpmath.cos(a)
-
-
-def about(angle: Any, u: Vector) -> Tensor:
-    """Return the rotation by Rodrigues' formula; numbers may be nested dual numbers."""
-    skew = Tensor.skew(u)
-    turned: Tensor = Tensor.identity() + skew * sine(angle) + skew @ skew * (1 - cosine(angle))
-    return turned
-
-
-def rate_of_axis(angle: Any, u: Vector) -> Tensor:
-    """Return the operator Θ of ``u̇ = Θ ω``, CP23 (78)."""
-    skew, half = Tensor.skew(u), angle / 2
-    operator: Tensor = (skew + skew @ skew * (cosine(half) / sine(half))) / -2
-    return operator
 
 
 @pytest.mark.parametrize("real", [False, True])

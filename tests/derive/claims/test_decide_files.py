@@ -65,7 +65,7 @@ FALSE = [
     ("(k - 3)*(k - 5) >= 0", {"k": "integer"}), ("(n - 100)*(n - 102) >= 0", {"n": "order"}), ("floor(x) == 0", X),
 ]  # fmt: skip
 OPEN = [
-    ("floor(n/2) + floor((n + 1)/2) == n", {"n": "integer"}), ("x**(1/3)*x**(2/3) == x", X),
+    ("floor(n/3) + floor((n + 1)/3) + floor((n + 2)/3) == n", {"n": "integer"}), ("x**(1/3)*x**(2/3) == x", X),
     ("norm(n + R*m) < 2", {"n": "unit vector", "m": "unit vector", **R}),
     ("(16 - dot(v, v))*(16 - dot(w, w)) - 64*dot(v, w) + (16 + dot(v, v))*(16 + dot(w, w)) != 0", VW),
     ("integral(norm(t), t, 1, 1) == 0", {}), ("x == 0 or x != 0", X),

@@ -39,6 +39,8 @@ REFUSED = [
     ("show --what sheet --format json -o sheet.pdf", "no chart, no --format"),
     ("show --what sheet,p -n 2", "or sheet alone, got 'sheet'"),
     ("show --what p -n 2 -o p.html", "add --what sheet"),
+    ("compare --family none", "a family is one of"),
+    ("compare --phi cos(alpha)", "not odd by its structure"),
     ("nonsense", "No such command 'nonsense'"),
     (f"{K10} 99", "no equation '99' (nearest: 9, 19, "),
     (f"{K10} 22,zero-component", "no equation 'zero-component' (nearest: zero-components, "),

@@ -10,11 +10,11 @@ from types import ModuleType, SimpleNamespace
 import pytest
 
 from derive.codegen import package
-from derive.codegen.package import Facts, fingerprint, shared_texts
+from derive.codegen.package import Facts, fingerprint
 from derive.codegen.programs.program import Call, Program
 from derive.codegen.signatures import geometry, lower
-from derive.codegen.targets import TARGETS
 from derive.maps import Cayley
+from derive.output import pages
 from derive.proof import prove
 
 MODULE, COMPILED = "dualcay.cayley3", "dualcay_native.cayley3"
@@ -23,12 +23,12 @@ OTHER, OTHER_COMPILED = "dualcay.cayley2", "dualcay_native.cayley2"
 
 @pytest.fixture
 def native(monkeypatch: pytest.MonkeyPatch) -> ModuleType:
-    """Return a fresh import of the printed module ``_native``."""
+    """Return a fresh import of the module ``_native``, which is copied."""
     monkeypatch.delenv("DUALCAY_NATIVE", raising=False)
     module = ModuleType("dualcay._native")
     module.__package__ = "dualcay"
     monkeypatch.setitem(sys.modules, module.__name__, module)
-    exec(shared_texts(TARGETS["numpy"])["_native.py"], vars(module))
+    exec((pages.folder() / "numpy" / "runtime" / "_native.py").read_text("utf-8"), vars(module))
     return module
 
 

@@ -10,13 +10,14 @@ from typing import Any
 
 import mpmath
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from derive.codegen.validation.decimals import EXACT_DIGITS, Decimal, close
 
 pytestmark = pytest.mark.smoke
 
+few = settings(max_examples=30)
 RATIONALS = st.fractions(-(10**6), 10**6, max_denominator=10**6)
 ROUNDING = Fraction(1, 2 * 10 ** (EXACT_DIGITS - 1))
 NAN, INFINITE = Decimal(mpmath.nan), Decimal(mpmath.inf)
@@ -26,6 +27,7 @@ def exactly(number: Decimal) -> Fraction:
     return Fraction(number.value)
 
 
+@few
 @given(a=RATIONALS, b=RATIONALS)
 @pytest.mark.parametrize("operation", [operator.add, operator.sub, operator.mul, operator.truediv])
 def test_operations_are_rounded_to_50_digits(operation: Callable[..., Any], a: Fraction, b: Fraction) -> None:
@@ -40,6 +42,7 @@ def test_operations_are_rounded_to_50_digits(operation: Callable[..., Any], a: F
             assert apart <= 3 * ROUNDING * (1 + 4 * ROUNDING) * abs(wanted)
 
 
+@few
 @given(a=RATIONALS, b=RATIONALS)
 def test_comparison_negation_and_absolute_value_are_exact(a: Fraction, b: Fraction) -> None:
     first, second = Decimal(a), Decimal(b)
@@ -48,6 +51,7 @@ def test_comparison_negation_and_absolute_value_are_exact(a: Fraction, b: Fracti
     assert (exactly(-first), exactly(abs(first))) == (-exactly(first), abs(exactly(first)))
 
 
+@few
 @given(bits=st.integers(-(2**200), 2**200), shift=st.integers(-1200, 1200))
 def test_mpmath_numbers_are_converted_to_50_digits(bits: int, shift: int) -> None:
     with mpmath.workprec(200):

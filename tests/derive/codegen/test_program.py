@@ -10,12 +10,9 @@ from derive.algebra import Vector
 from derive.codegen.programs.trace import Trace
 from derive.codegen.signatures import ROTATIONS, lower_chart, printed_geometry
 from derive.codegen.targets import expression
-from derive.maps import Cayley, family, parameterization
+from derive.maps import Cayley
 
 pytestmark = pytest.mark.smoke
-
-FAMILIES = ("scaled1", "scaled2", "orthographic", "breusing")
-CHARTS = [*map(Cayley, (1, 2, 3, 5, 8, 11)), *map(family, FAMILIES), parameterization("atan(alpha)", "arctangent")]
 
 
 def traced(count: int = 2):

@@ -5,8 +5,6 @@ from __future__ import annotations
 import dataclasses
 import gc
 import re
-import subprocess
-import sys
 from contextlib import nullcontext
 from pathlib import Path
 
@@ -67,16 +65,12 @@ def flipped(text: str, function: str, pattern: str, replacement: str) -> str:
         ("cayley3.py", "_quaternion_scalars", r"p = 1 - 3 \* x", "p = 1 + 3 * x"),
         ("cayley4.py", "_ray", r"return p, q, root", "return p, q, 1"),
         ("cayley3.py", "_gain", r"/ 3\b", "/ 4"),
-        ("cayley4.py", "_gain", r"\(1 \+ ", "(1 - "),
         ("cayley3.py", "_turned", r"iden \* iden", "iden"),
         ("cayley3.py", "_natural", r"2 \* m\.atan2", "m.atan2"),
         (GEOMETRY, "tensor", r"gvv1 - fv3", "gvv1 + fv3"),
         (GEOMETRY, "twist", r"gs = g \* side", "gs = g"),
-        (GEOMETRY, "quaternion_of", r"Q32 - Q23", "Q23 - Q32"),
         (GEOMETRY, "principal", r"m\.where\(beyond, u1 \* rk, v1\)", "0.25"),
         (GEOMETRY, "compose", r"f_2, g_2, v2", "g_2, f_2, v2"),
-        (GEOMETRY, "dual_product", r"A12 \* B21", "A12 * B12"),
-        (GEOMETRY, "transition", r"side \* a2,", "a2,"),
         (GEOMETRY, "transition", r"dual_product\(back, start\)", "dual_product(start, back)"),
         (GEOMETRY, "composed", r"p0 \* q0 - ", "p0 * q0 + "),
     ],
@@ -97,7 +91,7 @@ def test_right_kernels_pass_with_every_case_compared(package, tmp_path: Path):
 
 
 @pytest.mark.parametrize("target", TARGETS)
-@pytest.mark.parametrize("name", ["compose", "local", "interpolate", "from_screw", "shadow", "inverse", "twist"])
+@pytest.mark.parametrize("name", ["compose", "shadow"])
 def test_function_without_an_expected_value_is_not_generated(name, target, monkeypatch: pytest.MonkeyPatch):
     monkeypatch.delitem(MAPS if name in MAPS else ALGEBRAIC, name)
     with pytest.raises(ValueError, match=rf"functions without an expected value cannot be generated: {name}$"):
@@ -131,18 +125,16 @@ def test_functions_without_loss_by_text_have_no_roots_or_choices(table):
     assert operations == {"add", "sub", "mul", "div", "neg"}
 
 
-@pytest.mark.parametrize(("kind", "names", "of_rotations"), [
-    (Kind.WAY, "interpolate", "interpolate"),
-    (Kind.SCREW, "from_screw", "from_angle_axis"),
-    (Kind.TURN, "shadow, shadow_jacobian", "shadow, shadow_jacobian"),
-])  # fmt: skip
-def test_chart_without_a_call_of_a_function_is_not_generated(kind, names, of_rotations, monkeypatch):
+def test_chart_without_a_call_of_a_function_is_not_generated(monkeypatch: pytest.MonkeyPatch):
+    kinds = (Kind.WAY, Kind.SCREW, Kind.TURN)
+
     def without(cases, table):
-        return restricted((case for case in cases if kind_of(case.row) != kind), table)
+        return restricted((case for case in cases if kind_of(case.row) not in kinds), table)
 
     for module in (samples, float_cases):
         monkeypatch.setattr(module, "restricted", without)
-    for table, missing in ((POSES, names), (ROTATIONS, of_rotations)):
+    for table, screw in ((POSES, "from_screw"), (ROTATIONS, "from_angle_axis")):
+        missing = f"{screw}, interpolate, shadow, shadow_jacobian"
         with pytest.raises(ValueError, match=rf"functions without a call cannot be generated: {missing}$"):
             batches.__wrapped__(Cayley(3), table)
         with pytest.raises(ValueError, match=rf"functions without a call in floats cannot be generated: {missing}$"):
@@ -208,19 +200,6 @@ def test_failed_proof_writes_nothing(tmp_path: Path, monkeypatch: pytest.MonkeyP
     assert not (tmp_path / "kernels").exists()
 
 
-def test_failed_validation_writes_nothing(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
-    original = road.module_texts
-
-    def wrong(*arguments):
-        texts, name = original(*arguments), f"{arguments[0].chart.name}.py"
-        return texts | ({name: flipped(texts[name], "_pose_scalars", r"\(N - N\)", "N")} if "2" in name else {})
-
-    monkeypatch.setattr(road, "module_texts", wrong)
-    with pytest.raises(ValidationFailed, match=r"cayley2\.tensor"):
-        derive.generate([2], output=tmp_path / "kernels")
-    assert not (tmp_path / "kernels").exists()
-
-
 @pytest.mark.parametrize("target", TARGETS.values(), ids=lambda target: target.name)
 def test_notice_bears_the_header_and_replaces_the_entry(target):
     charts = [Cayley(n) for n in range(1, 400)]
@@ -229,18 +208,6 @@ def test_notice_bears_the_header_and_replaces_the_entry(target):
     command = files.MARK.match(text).group(1)
     assert command.endswith(f"399 --target {target.name} --max-n 399")
     assert text.count(command) == 2
-
-
-def test_generated_folder_works_without_the_toolkit(tmp_path: Path, without_validation):
-    derive.generate([7], output=tmp_path / "kernels")
-    code = (
-        "import sys; sys.modules['sympy'] = sys.modules['jinja2'] = sys.modules['derive'] = None\n"
-        "from kernels import cayley7\n"
-        "import numpy as np\n"
-        "print(np.allclose(cayley7.from_pose(cayley7.pose([.1, 0, 0, 1, 2, 3])), [.1, 0, 0, 1, 2, 3]))"
-    )
-    done = subprocess.run([sys.executable, "-c", code], cwd=tmp_path, capture_output=True, text=True, check=True)
-    assert done.stdout.strip() == "True"
 
 
 @pytest.mark.smoke

@@ -33,22 +33,21 @@ def test_functions_of_rotations_and_their_shapes() -> None:
         _ = POSES.functions["pose"].kept
 
 
-@pytest.mark.parametrize("name", ROTATIONS.functions)
-def test_restriction_undoes_embedding(name: str) -> None:
-    row = ROTATIONS.functions[name]
-    given = tuple(tuple(range(1, array.size + 1)) for array in row.arguments)
-    embedded = row.embedded(given, 0)
-    assert [len(flat) for flat in embedded] == [array.size for array in row.pose.arguments]
-    assert row.restricted(embedded) == given
-    assert all(sum(flat) == sum(small) for flat, small in zip(embedded, given, strict=True))
+def test_restriction_undoes_embedding() -> None:
+    for name, row in ROTATIONS.functions.items():
+        given = tuple(tuple(range(1, array.size + 1)) for array in row.arguments)
+        embedded = row.embedded(given, 0)
+        assert [len(flat) for flat in embedded] == [array.size for array in row.pose.arguments], name
+        assert row.restricted(embedded) == given, name
+        assert all(sum(flat) == sum(small) for flat, small in zip(embedded, given, strict=True)), name
 
 
-@pytest.mark.parametrize("name", ROTATIONS.kernels)
-def test_rotation_programs_drop_dual_parts(name: str) -> None:
-    program, pose = geometry(ROTATIONS)[name], geometry()[ROTATIONS.functions[name].source]
-    assert program.operations.total() <= 0.8 * pose.operations.total()
-    assert {step.name for step in program.steps} <= program.operands
-    assert all(narrowed(call) == call for call in program.calls)
+def test_rotation_programs_drop_dual_parts() -> None:
+    for name in ROTATIONS.kernels:
+        program, pose = geometry(ROTATIONS)[name], geometry()[ROTATIONS.functions[name].source]
+        assert program.operations.total() <= 0.8 * pose.operations.total(), name
+        assert {step.name for step in program.steps} <= program.operands, name
+        assert all(narrowed(call) == call for call in program.calls), name
 
 
 def test_calls_ask_only_for_slopes_that_are_read() -> None:

@@ -32,7 +32,9 @@ def computed(program: Program, helpers: dict[str, Program], known: dict[object, 
     return [numbers.get(output, output) for output in program.outputs], values
 
 
-@pytest.mark.parametrize("name", CHARTS)
+@pytest.mark.parametrize(
+    "name", [pytest.param(name, marks=pytest.mark.thorough if name == OWN.name else ()) for name in CHARTS]
+)
 def test_callers_of_helpers_compute_the_same_values_and_no_others(name: str) -> None:
     programs = lower_chart(CHARTS[name]).scalars
     helpers, callers = with_helpers(programs)

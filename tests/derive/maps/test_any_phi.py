@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -24,12 +26,21 @@ from tests.derive.codegen.test_hyperbolic_phi import FORMS
 from tests.support import packages, phis
 
 ALL = [*FORMS, *phis.drawn(200 - len(FORMS))]
-QUICK = 10
-"""Every tenth φ is tested in normal runs."""
+
+
+def sampled(items: Iterable[Any], stride: int) -> list[Any]:
+    """Return parameters; normal runs test one of ``stride``."""
+    return [pytest.param(one, marks=pytest.mark.thorough if k % stride else ()) for k, one in enumerate(items)]
+
+
+chart_of = cache(lambda text: parameterization(text, "mine"))
+"""Chart of a φ, whose fits are made once."""
 CLOSE = mpmath.mpf(10) ** -25
+LEAST = "alpha + 0.999999*sin(8*alpha)/8"
+"""φ whose slope is nearly 0 at an angle."""
 KNOWN = {
     "0.999*alpha + 0.001*tan(alpha/2)": ("pole", "pi"),
-    "alpha + 0.999999*sin(8*alpha)/8": ("cut", "4*pi"),
+    LEAST: ("cut", "4*pi"),
     "alpha/cos(alpha/4)**2": ("pole", "2*pi"),
     "tan(alpha/4)/cos(alpha/4)": ("pole", "2*pi"),
     "alpha/(1 + cos(alpha/3))": ("pole", "3*pi"),
@@ -49,9 +60,7 @@ def test_two_hundred_phi_are_listed() -> None:
     assert len(set(ALL)) == 200
 
 
-@pytest.mark.parametrize(
-    "text", [pytest.param(text, marks=[] if k % QUICK == 0 else pytest.mark.thorough) for k, text in enumerate(ALL)]
-)
+@pytest.mark.parametrize("text", sampled(ALL, 10))
 def test_edge_range_and_singular_angles_agree_with_a_search(text: str) -> None:
     found, kind = phis.edge(text)
     if kind == "end":
@@ -80,7 +89,7 @@ def test_edges_that_samples_miss(text: str) -> None:
     assert str(found.angle).startswith(angle)
 
 
-@pytest.mark.parametrize("text", [*phis.REMOVABLE, *phis.SUMS])
+@pytest.mark.parametrize("text", sampled([*phis.REMOVABLE, *phis.SUMS], 4))
 def test_edges_of_removable_zeros_and_of_sums_with_poles(text: str) -> None:
     chart: Any = parameterization(text, "mine")
     kind, angle = {**phis.REMOVABLE, **phis.SUMS}[text]
@@ -102,13 +111,13 @@ def test_coarse_intervals_decide_nothing(monkeypatch: pytest.MonkeyPatch) -> Non
     """Expect a refusal, never a wrong edge, if intervals may not shrink."""
     step = mpmath.mpf(1) / 100
     monkeypatch.setattr(edges.cells, "__defaults__", (step,))
-    for text in ("alpha + 0.999999*sin(8*alpha)/8", "0.999*alpha + 0.001*tan(alpha/2)"):
+    for text in (LEAST, "0.999*alpha + 0.001*tan(alpha/2)"):
         with pytest.raises(PhiError, match="intervals do not decide"):
             edges.edge_of.__wrapped__(parsed(text))
 
 
 def test_too_few_halvings_are_not_proved(monkeypatch: pytest.MonkeyPatch) -> None:
-    chart = parameterization("alpha + 0.999999*sin(8*alpha)/8", "mine")
+    chart: Any = chart_of(LEAST)
     assert isinstance(chart.far, Halved)
     monkeypatch.setattr(first_guess, "HALVINGS_MAX", chart.far.count - 3)
     with pytest.raises(PhiError, match="not inverted to full precision"):
@@ -161,13 +170,15 @@ def test_an_order_is_an_integer() -> None:
 
 WITHOUT_KERNELS = [
     ("atanh(alpha/5)", "grows like a logarithm near its edge"),
-    ("asinh(2*tan(alpha/5))", "grows like a logarithm near its edge"),
     ("alpha + sin(alpha)", "double zero at its edge"),
     ("alpha + 0.99999999*sin(8*alpha)/8", "1/phi' would lose half of its digits"),
     ("alpha - 0.98*sin(alpha)", "near alpha"),
-    ("alpha + sin(300*alpha)/400", "nothing proves that the inverse of phi = alpha + sin(300*alpha)/400 is analytic"),
     ("1.000001*sin(alpha/2 + alpha/1000)", "ends at alpha"),
-]
+    *(pytest.param(*one, marks=pytest.mark.thorough) for one in (
+        ("asinh(2*tan(alpha/5))", "grows like a logarithm near its edge"),
+        ("alpha + sin(300*alpha)/400", "the inverse of phi = alpha + sin(300*alpha)/400 is analytic"),
+    )),
+]  # fmt: skip
 
 
 @pytest.mark.parametrize(("phi", "reason"), WITHOUT_KERNELS)
@@ -193,12 +204,10 @@ BESIDE_EDGES = [
 """φ with folds and poles at π, just beyond it, and later; inverted in closed form, by a fit and by halvings."""
 
 
-@pytest.mark.parametrize(
-    "text", [pytest.param(text, marks=pytest.mark.thorough if k > 0 else ()) for k, text in enumerate(BESIDE_EDGES)]
-)
+@pytest.mark.parametrize("text", sampled(BESIDE_EDGES, len(BESIDE_EDGES)))
 def test_floats_find_the_angle_beside_an_edge(text: str) -> None:
     """Allow 16 eps of the length and of the edge; lengths come as near to a fold or pole as floats do."""
-    chart = parameterization(text, "mine")
+    chart: Any = chart_of(text)
     for dtype in (np.float64, np.float32):
         eps = float(np.finfo(dtype).eps)
         end = mpmath.inf if chart.range.is_infinite else mpmath.mpf(chart.range.evalf(50))
@@ -220,10 +229,10 @@ def test_steps_beside_a_fold_are_noise(monkeypatch: pytest.MonkeyPatch) -> None:
 
 # --- kernels at their worst points --------------------------------------------------------------------------------
 
-@pytest.mark.parametrize("text", ["alpha + 0.999999*sin(8*alpha)/8", "0.999*alpha + 0.001*tan(alpha/2)"])
+@pytest.mark.parametrize("text", sampled([LEAST, "0.999*alpha + 0.001*tan(alpha/2)"], 2))
 def test_floats_find_the_angle_near_the_least_slope_and_the_pole(text: str) -> None:
     """Allow 8 eps of the length and of the terms of φ, divided by φ′."""
-    chart = parameterization(text, "mine")
+    chart: Any = chart_of(text)
     for angle in (*map(float, chart.steep), 1.17332, 3.0, 3.14):
         r = float(phis.value(text, mpmath.mpf(angle)))
         exact = chart.inverse(r)
@@ -233,15 +242,14 @@ def test_floats_find_the_angle_near_the_least_slope_and_the_pole(text: str) -> N
 
 
 def test_kernels_are_validated_where_the_slope_is_least() -> None:
-    text = "alpha + 0.999999*sin(8*alpha)/8"
-    least = float(phis.value(text, mpmath.pi / 8))
-    calls = at_numbers(parameterization(text, "mine"), POSES)
+    least = float(phis.value(LEAST, mpmath.pi / 8))
+    calls = at_numbers(chart_of(LEAST), POSES)
     lengths = [float(mpmath.norm(case.arguments[0][:3])) for case in calls if case.row.arguments[0].vector]
     assert min(abs(length - least) for length in lengths) < 1e-12
 
 
 KERNELS = [
-    "alpha + 0.999999*sin(8*alpha)/8", "0.999*alpha + 0.001*tan(alpha/2)", "tan(alpha/4)/cos(alpha/4)",
+    LEAST, "0.999*alpha + 0.001*tan(alpha/2)", "tan(alpha/4)/cos(alpha/4)",
     "alpha*cbrt(1 + alpha**2/50)", "alpha/sqrt(cos(alpha/5)) + alpha", "sin(alpha/5) + 0.158*sin(4*alpha)/9",
 ]  # fmt: skip
 

@@ -6,8 +6,6 @@ import builtins
 import os
 import random
 import re
-import subprocess
-import sys
 from collections.abc import Callable
 from fractions import Fraction
 from types import SimpleNamespace
@@ -65,7 +63,6 @@ def test_accepted_texts(text: str, expected: sympy.Expr):
         ("alpha^3 + alpha", "(write ** for a power)"),
         ("alpha +", "phi is no expression"),
         ("", "phi is no expression"),
-        ("n*alpha", "give its value, by -n or as order="),
         ("alpha/0", "divides by zero"),
         ("alpha/(1 - 1)", "divides by zero"),
         ("alpha**alpha", "powers in phi are numbers"),
@@ -77,8 +74,6 @@ def test_accepted_texts(text: str, expected: sympy.Expr):
         ("+".join(["2"] * 99), "parts, and 150 are the most"),
         ("x" * 1000, "1000 characters"),
         ("cos(alpha)", "not odd by its structure"),
-        ("exp(alpha) - 1", "not odd by its structure"),
-        ("alpha + 1", "not odd by its structure"),
         ("alpha*(alpha + 1)**2", "not odd by its structure"),
         ("alpha*exp(alpha)", "not odd by its structure"),
         ("alpha**3", "phi'(0) = 0"),
@@ -133,18 +128,6 @@ def test_user_text_is_never_run(monkeypatch: pytest.MonkeyPatch):
         except PhiError:
             continue
     assert found > 10
-
-
-def test_wrong_grammar_is_refused_without_sympy() -> None:
-    code = """
-import sys
-from derive.maps.grammar import PHI, PhiError
-try:
-    PHI.tree("alpha + beta")
-except PhiError:
-    sys.exit("sympy" in sys.modules)
-"""
-    assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0
 
 
 # --- evaluation -------------------------------------------------------------------------------------------------------

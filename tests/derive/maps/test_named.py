@@ -168,7 +168,9 @@ def test_scale_belongs_to_the_parameterization(name: str, gap) -> None:
     assert gap(Quaternion(s, w * t), Quaternion(functions.cos(half), at.axis * functions.sin(half))) < TINY
 
 
-@pytest.mark.parametrize(("name", "volume"), [("homochoric", 8), ("isochoric", 1)])
+@pytest.mark.parametrize(
+    ("name", "volume"), [("homochoric", 8), pytest.param("isochoric", 1, marks=pytest.mark.thorough)]
+)
 def test_volume_elements_are_constant(name: str, volume: int) -> None:
     chart = family(name)
     (proof,) = (proof for proof in prove(chart).proofs if proof.name == "constant volume element")

@@ -70,7 +70,7 @@ def close(found: mpmath.mpf, expected: mpmath.mpf) -> bool:
     return bool(abs(found - expected) <= TOLERANCE * (1 + abs(expected)))
 
 
-QUICK = ("fold", "pole", "arc")
+QUICK = ("pole", "arc")
 """Texts of φ tested in normal runs: fitting their polynomials takes a second."""
 
 

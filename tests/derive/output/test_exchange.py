@@ -75,7 +75,9 @@ def state(folder: Path, old: dict[str, str], new: dict[str, str]) -> str:
     return "old" if found == old | MINE else "new"
 
 
-@pytest.mark.parametrize(("old", "new"), [({}, NEWS[0]), (OLD, NEWS[1])], ids=["first", "new entry"])
+@pytest.mark.parametrize(
+    ("old", "new"), [pytest.param({}, NEWS[0], marks=pytest.mark.thorough), (OLD, NEWS[1])], ids=["first", "new entry"]
+)
 def test_kill_leaves_old_or_new_files(tmp_path, old, new):
     (folders,) = killed_runs(new, [folder_with(tmp_path / "old", old | MINE)], tmp_path / "once")
     states = [state(folder, old, new) for folder in folders]

@@ -62,7 +62,7 @@ def test_short_work_has_no_bar(monkeypatch: pytest.MonkeyPatch) -> None:
 LONG: dict[str, Callable[[], object]] = {
     "equation (22)": lambda: derive.verify("karakilic-2010", "14,22"),
     "cayley3": lambda: derive.compare([2, 3]),
-    "proofs of cayley40": lambda: derive.Cayley(40).prove(),
+    "proofs of cayley9": lambda: derive.Cayley(9).prove(),
 }
 
 
@@ -132,9 +132,8 @@ print("done")
 """
 
 
-@pytest.mark.parametrize("interactive", ["1", "0"])
-def test_notebook_shows_a_bar_in_its_cell(interactive: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setenv("TTY_INTERACTIVE", interactive)
+def test_notebook_shows_a_bar_in_its_cell(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("TTY_INTERACTIVE", "1")
     import nbformat  # these take as long as the other tests of this file
     from nbclient import NotebookClient
 
@@ -142,7 +141,7 @@ def test_notebook_shows_a_bar_in_its_cell(interactive: str, monkeypatch: pytest.
     NotebookClient(notebook, timeout=None, kernel_name="python3").execute()
     said = {output.name: output.text for output in notebook.cells[0].outputs}
     assert said["stdout"] == "done\n"
-    assert ("first" in said.get("stderr", "")) == (interactive == "1")
+    assert "first" in said["stderr"]
 
 
 # --- tables -----------------------------------------------------------------------------------------------------------

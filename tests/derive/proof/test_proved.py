@@ -55,13 +55,6 @@ def test_a_wrong_formula_is_not_proved(stated: Callable[[int], Any]) -> None:
     assert [proof.statement for proof in error.value.failed] == [proof.statement for proof in failed]
 
 
-def test_wrong_polynomials_are_not_proved(stated: Callable[..., Any]) -> None:
-    right = stated(6)
-    for name in ("p", "q", "c", "d"):
-        with pytest.raises(ProofFailed, match=rf": Cayley\(6\)\.{name}, residue"):
-            prove(stated(6, **{name: getattr(right, name) + x}))
-
-
 def test_statements_are_typeset() -> None:
     for proof in proofs(Cayley(2)):
         assert "<math" in convert(proof.latex)
@@ -196,23 +189,12 @@ def test_proof_refuses_a_wrong_map_of_every_chart(monkeypatch: pytest.MonkeyPatc
             prove(of)
 
 
-@pytest.mark.parametrize(
-    ("scalar", "right", "wrong"),
-    [
-        ("pose_scalars", "g = 2 q^2", "g = 5 q^2"), ("pose_scalars", "x c = n", "x c = 2 n"),
-        ("quaternion_scalars", "wy = 2 dw", "wy = 3 dw"), ("tangent_scalars", "df/dx", "dg/dx"),
-        ("rate_scalars", "1/phi'", "phi'"), ("rate_scalars", "2n/(1 + x)", "n/(1 + x)"),
-        ("ray", "a/b = p/q", "a = p"), ("gain", "sin(alpha/2)", "phi"),
-    ],
-)  # fmt: skip
-def test_generation_refuses_a_wrong_comment(
-    scalar: str, right: str, wrong: str, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    """Alter the formulas above scalar programs; a and b are p and q up to order 8 only."""
-    row = SCALARS[scalar]
-    assert right in row.every + row.of_order
-    altered = replace(row, every=row.every.replace(right, wrong), of_order=row.of_order.replace(right, wrong))
-    monkeypatch.setitem(cast(dict[str, Any], SCALARS), scalar, altered)
+def test_generation_refuses_a_wrong_comment(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Alter a formula above a scalar program; `test_altered_formulas_are_refused` decides all of them."""
+    row = SCALARS["quaternion_scalars"]
+    assert "wy = 2 dw" in row.every
+    altered = replace(row, every=row.every.replace("wy = 2 dw", "wy = 3 dw"))
+    monkeypatch.setitem(cast(dict[str, Any], SCALARS), "quaternion_scalars", altered)
     with pytest.raises(ProofFailed, match="not proved: "):
         print_package([Cayley(9)], TARGETS["numpy"])
 

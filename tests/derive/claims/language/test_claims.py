@@ -41,7 +41,7 @@ def value(text: str, **given: object) -> bool:
             numbers = [Fraction((7 * i + 5 * j) % 11 - 4, 7) or Fraction(1, 3) for j in range(kind.size if kind else 0)]
             plain = [abs(number) for number in numbers] if symbol.name in ("b", "x") else numbers
             values[symbol] = given.get(symbol.name, kind.build(plain) if kind else 3)
-        return bool(Env(Balls(), values, {}, dual=False).value(claim))
+        return bool(Env(Balls(), values, dual=False).value(claim))
 
 
 @pytest.mark.parametrize("name", OPERATIONS)
