@@ -3,6 +3,7 @@
 ==============  ================================================================================
 terms           parts of terms: operators, differences of relations, what vanishes where a term does
 claim           a claim with its letters, evaluated over balls at points given by coordinates
+frames          frames that only give constant directions, taken as the identity
 constrained     points moved onto the equations of a stated domain
 singular        singular parts of a formula: divisors, radicands, arguments of inverse functions
 zeros           zeros of singular parts along lines of points

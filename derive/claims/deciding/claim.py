@@ -226,7 +226,7 @@ class Claim:
             found: bool | None = self.evaluated(place, part, bool)
             if found is False and _is_endless(part):
                 raise BlurredError
-            if found is False and any(node.operator.name.startswith("cases") for node in walk(part)):
+            if found is False and any(node.operator.name.startswith("cases") for node in distinct(part)):
                 found = not self.evaluated(place, negated(part), bool)  # with certain cases
         except BlurredError:
             if not place.exact or _is_endless(part):
