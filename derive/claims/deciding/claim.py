@@ -16,7 +16,7 @@ from ..equation import Entry
 from ..language.environment import Env
 from ..language.matrices import either
 from ..language.operator_table import Re, both, epsilon, equal, infinity, negated
-from ..language.printed import Symbol, Term, Trait, distinct, rate_depth, symbols, walk, with_trait
+from ..language.printed import Symbol, Term, Trait, distinct, rate_depth, symbols, with_trait
 from ..numbers.balls import PRECISIONS, Ball, Balls, BlurredError, arb, precision
 from ..numbers.fields import Constants, Field
 from ..numbers.kinds import BRANCH, KINDS, ORDER, SIGN, Kind, Numbers, jet
