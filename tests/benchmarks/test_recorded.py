@@ -28,6 +28,7 @@ def test_every_function_on_arrays_is_compared() -> None:
     assert set(module.__all__) - set(recorded.functions(module)) == left_out
 
 
+@pytest.mark.thorough
 def test_slower_kernels_miss_the_gates(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(recorded, "SECONDS", 1e-4)
     slower, page = tmp_path / "dualcay", tmp_path / "speed.md"

@@ -89,7 +89,7 @@ def one_sided(found: Sides) -> list[tuple[str, str]]:
     return [comparison for comparison in both if len(found[comparison]) < 2]
 
 
-@pytest.mark.parametrize("n", [3, 4, pytest.param(8, marks=pytest.mark.thorough)])
+@pytest.mark.parametrize("n", [3, *(pytest.param(n, marks=pytest.mark.thorough) for n in (4, 8))])
 def test_every_comparison_is_true_and_false_in_some_case(n: int) -> None:
     # at orders 1 and 2, some comparisons change only at the edge of the chart
     found = sides(n)

@@ -88,7 +88,8 @@ def test_edges_are_right_or_not_finite(kernels: ModuleType, oracle: OfSquare, re
 
 
 @FOLDED
-@pytest.mark.parametrize("angle", [6.2, *(pytest.param(a, marks=pytest.mark.thorough) for a in (5.9, 6.27))])
+@pytest.mark.thorough
+@pytest.mark.parametrize("angle", [5.9, 6.2, 6.27])
 def test_steps_near_the_fold_keep_all_digits(kernels: ModuleType, oracle: OfSquare, angle: float):
     """Keep steps shorter than the distance to 2π, because the oracle does not count turns."""
     steps = sampling.dual_vectors(f"steps at {angle}", count=4)

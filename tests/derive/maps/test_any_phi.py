@@ -213,7 +213,7 @@ def test_floats_find_the_angle_beside_an_edge(text: str) -> None:
         end = mpmath.inf if chart.range.is_infinite else mpmath.mpf(chart.range.evalf(50))
         lengths = [10.0**k for k in range(1, 19)]
         if chart.range.is_finite:
-            lengths = [float(end) * (1 - eps * k / 2) for k in (*range(6), *(2.0**j for j in range(3, 20, 4)))]
+            lengths = [float(end) * (1 - eps * k / 2) for k in (*range(6), *(2.0**j for j in range(3, 20, 8)))]
         for r in map(dtype, lengths):
             exact, less = (chart.inverse(min(size, end)) for size in (float(r), float(r) * (1 - 16 * eps)))
             with np.errstate(all="ignore"):

@@ -132,6 +132,7 @@ print("done")
 """
 
 
+@pytest.mark.thorough
 def test_notebook_shows_a_bar_in_its_cell(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("TTY_INTERACTIVE", "1")
     import nbformat  # these take as long as the other tests of this file
