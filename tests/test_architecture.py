@@ -29,8 +29,8 @@ ORDER = {
     ),
     "derive.claims.deciding": (
         "terms", "claim", "frames", "solved", "constrained", "singular", "zeros", "polar", "identity", "proof",
-        "equal_sides", "uphill", "places", "conditions", "partial", "existence", "ordering", "regions", "changes",
-        "counterexample", "split", "finding",
+        "equal_sides", "uphill", "places", "conditions", "partial", "far", "signs", "existence", "ordering", "regions",
+        "changes", "counterexample", "split", "finding",
     ),
     "derive.codegen": (
         "programs", "lowering", "rows", "signatures", "validation", "package", "targets", "catalogue",

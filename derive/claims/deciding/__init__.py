@@ -4,6 +4,7 @@
 terms           parts of terms: operators, differences of relations, what vanishes where a term does
 claim           a claim with its letters, evaluated over balls at points given by coordinates
 frames          frames that only give constant directions, taken as the identity
+solved          equations of a stated domain, solved for letters
 constrained     points moved onto the equations of a stated domain
 singular        singular parts of a formula: divisors, radicands, arguments of inverse functions
 zeros           zeros of singular parts along lines of points
@@ -15,6 +16,8 @@ uphill          corners of a bounded domain, and the way uphill from one
 places          points at which a claim may fail
 conditions      conditions of a claim, found from the points where a part has no value, and their sharpness
 partial         partial operations of a statement, and what each asks of a number
+far             numbers where a generator is infinite, as the tangent of a half turn
+signs           signs of exact numbers on a stated domain
 existence       proof that both sides have a value
 ordering        proof of order relations, by signs of exact numbers or along one number
 regions         region on which a claim of one branch is true

@@ -20,10 +20,11 @@ from ..numbers.derivation import Along
 from ..numbers.generators import Generators
 from ..numbers.signed import Bound
 from .claim import Claim, kind
-from .existence import MARGIN, Signs, signs_in, undecided_parts
+from .existence import undecided_parts
 from .identity import ABSENT, STRICT, difference, not_negative, setting, whole_steps
 from .polar import ALL, POSITIVE, Way, bounds
 from .proof import proved
+from .signs import MARGIN, Signs, signs_in
 from .solved import conjuncts
 from .terms import is_frame_free, operators
 
