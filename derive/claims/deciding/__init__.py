@@ -2,6 +2,7 @@
 
 ==============  ================================================================================
 terms           parts of terms: operators, differences of relations, what vanishes where a term does
+place           points at which a claim is evaluated
 claim           a claim with its letters, evaluated over balls at points given by coordinates
 frames          frames that only give constant directions, taken as the identity
 solved          equations of a stated domain, solved for letters

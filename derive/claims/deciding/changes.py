@@ -13,7 +13,8 @@ from ..language.operations import written
 from ..language.operator_table import conjugate, transpose
 from ..language.printed import Apply, Number, Symbol, Term, symbols
 from ..numbers.balls import BlurredError
-from .claim import Claim, Place, kind
+from .claim import Claim, kind
+from .place import Place
 from .places import Probe
 
 Change = tuple[int, str, str, Term]

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import random
-from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property, reduce
 from itertools import chain, product
@@ -20,7 +20,8 @@ from ..language.printed import Symbol, Term, Trait, distinct, rate_depth, symbol
 from ..numbers.balls import PRECISIONS, Ball, Balls, BlurredError, arb, precision
 from ..numbers.fields import Constants, Field
 from ..numbers.kinds import BRANCH, KINDS, ORDER, SIGN, Kind, Numbers, jet
-from .terms import at_zero, takes_parts
+from .place import Place
+from .terms import at_zero, conjuncts, takes_parts
 
 RATES_MAX = 2
 """Highest order of a time derivative for which letters have rates."""
@@ -28,53 +29,10 @@ FURTHER = tuple(map(Fraction, (-3, -2, -1, 1, 2, 3)))
 """Dual parts and rates of coordinates."""
 ORDERS = (1, 2, 3, 4, 5)
 """Orders at which statements are tried and, without a proof for every order, proved."""
-Coordinates = Mapping[Symbol, Numbers]
 
 
 class RefusedError(Exception):
     """Error for a claim that the engine cannot decide, with the reason."""
-
-
-@dataclass(frozen=True)
-class Place:
-    """Point at which a claim is evaluated.
-
-    `generic` points are drawn without relation between letters and near 1, where a region of truth shows; `pair` ones
-    have two special letters. `on` tells what is special about a point that lies on a zero set.
-    """
-
-    label: str
-    at: Coordinates
-    generic: bool = False
-    on: str = ""
-    parts: Mapping[Symbol, Numbers] = field(default_factory=dict)  # dual parts and rates, if not by a fixed seed
-    pair: bool = False
-    zero: Term | None = None  # number that certainly vanishes somewhere in the balls of the coordinates
-    known: Mapping[Term, Term] = field(default_factory=dict)  # parts with a value that is certain there
-    turns: dict[Symbol, tuple[Numbers, Numbers]] = field(default_factory=dict)  # coordinates, and those over π
-
-    @property
-    def exact(self) -> bool:
-        """Whether all numbers are rational, or rational multiples of π."""
-        rows = chain((row for a, row in self.at.items() if self.over_pi(a) is None), self.parts.values())
-        return all(isinstance(c, int | Fraction) for c in _numbers(rows))
-
-    def over_pi(self, letter: Symbol) -> Numbers | None:
-        """Return the coordinates of a letter over π, if they are known to be rational."""
-        coordinates, over = self.turns.get(letter, (None, ()))
-        return over if coordinates is self.at[letter] else None
-
-    @property
-    def sharp(self) -> bool:
-        """Whether all numbers have no error."""
-        rows = chain(self.at.values(), self.parts.values())
-        return all(arb(c).is_exact() or isinstance(c, Fraction) for c in _numbers(rows))
-
-
-def _numbers(rows: Iterable[Any]) -> Iterator[Any]:
-    """Yield the numbers of rows of coordinates, and those that stand alone."""
-    for row in rows:
-        yield from row if isinstance(row, Iterable) else (row,)
 
 
 @dataclass(frozen=True)
@@ -125,10 +83,14 @@ class Claim:
         return tuple(row for i, row in enumerate(signs) if row not in signs[:i])
 
     @cached_property
+    def domain(self) -> tuple[Term, ...]:
+        """Relations of the stated domain."""
+        return tuple(conjuncts(self.entry.claimed))
+
+    @cached_property
     def constraints(self) -> tuple[Term, ...]:
         """Equations in the stated domain, which points must be moved to satisfy."""
-        stated = self.entry.claimed
-        return tuple(_equations(stated)) if stated is not None else ()
+        return tuple(part for part in self.domain if part.operator is equal)
 
     @cached_property
     def aims(self) -> tuple[Claim, ...]:
@@ -281,14 +243,6 @@ class Claim:
 
 def kind(letter: Symbol) -> Kind:
     return KINDS[letter.quantity.name]
-
-
-def _equations(domain: Term) -> Iterator[Term]:
-    if domain.operator is both:
-        for part in domain.arguments:
-            yield from _equations(part)
-    elif domain.operator is equal:
-        yield domain
 
 
 def _alternatives(domain: Term) -> Iterator[Term]:

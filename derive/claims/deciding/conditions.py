@@ -16,7 +16,8 @@ from ..language.operator_table import Re, cos, det, equal, nonzero, norm, over, 
 from ..language.printed import Number, Term, Trait, symbols
 from ..numbers.balls import BlurredError, precision
 from ..numbers.fields import innermost
-from .claim import Claim, Place, kind
+from .claim import Claim, kind
+from .place import Place
 from .places import Probe
 from .singular import size
 from .terms import is_dual

@@ -20,7 +20,8 @@ from ..language.printed import Term, Trait, symbols
 from ..language.values import add, coefficients
 from ..numbers.balls import Ball, BlurredError, arb, precision
 from ..numbers.kinds import Numbers
-from .claim import Claim, Place, kind
+from .claim import Claim, kind
+from .place import Place
 from .terms import is_dual
 
 BITS, STEPS_MAX = 512, 40

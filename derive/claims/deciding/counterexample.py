@@ -15,7 +15,8 @@ from ..language.values import coefficients, equal
 from ..numbers.balls import PRECISIONS, Ball, precision
 from ..numbers.fields import Exact
 from ..result import Counterexample
-from .claim import Claim, Place
+from .claim import Claim
+from .place import Place
 
 
 def shown_at(claim: Claim, place: Place, words: str = "") -> Counterexample:

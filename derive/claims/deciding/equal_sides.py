@@ -22,8 +22,9 @@ from ..language.operator_table import tan
 from ..language.printed import Apply, Number, Symbol, Term, Trait, symbols, walk
 from ..numbers.balls import BlurredError, arb
 from ..numbers.generators import Generators
-from .claim import Claim, Place, kind
+from .claim import Claim, kind
 from .identity import ABSENT, STRICT, difference, setting, whole_steps
+from .place import Place
 from .polar import Way
 from .singular import Singular, size
 from .terms import bare

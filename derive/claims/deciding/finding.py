@@ -21,11 +21,12 @@ from ..language.operator_table import equal, negated
 from ..language.printed import Term
 from ..numbers.balls import PRECISIONS, BlurredError, precision
 from ..result import Status
-from .claim import Claim, Place, RefusedError
+from .claim import Claim, RefusedError
 from .conditions import exclusions, is_sharp, plain
 from .existence import undecided_parts
 from .identity import MODULO, difference, jumps
 from .ordering import ordered
+from .place import Place
 from .places import Probe
 from .proof import proved, proved_at_orders
 from .regions import REGION_MIN, Region, branched, region

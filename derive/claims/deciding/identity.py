@@ -28,7 +28,7 @@ from .claim import Claim, kind
 from .constrained import gaps
 from .frames import with_frames_at_rest
 from .polar import Polar, Way, bounds, closed_letters
-from .solved import conjuncts, with_solved_equations
+from .solved import with_solved_equations
 from .terms import is_frame_free, operators, takes_parts
 
 PRIMES_MAX = 40
@@ -135,7 +135,7 @@ def setting(
     Dual letters have their real parts alone unless the claim takes dual parts: an identity of differentiable functions
     also holds for dual numbers. Angles are taken in `steps` or finer parts.
     """
-    domain = [] if claim.entry.claimed is None else conjuncts(claim.entry.claimed)
+    domain = claim.domain
     steps = lcm(steps or steps_of(claim.statement), *(4 * n for a, n in fixed.items() if a.quantity is ORDER))
     field = partial(make, steps=steps, signs=signs)
     if claim.constraints:
@@ -172,7 +172,7 @@ def _turned(statement: Term) -> dict[Symbol, Term]:
 def contradicts_itself(claim: Claim) -> bool:
     """Return whether the domain, where its equations hold, says that 0 is not 0 or that another number is."""
     solved, _ = with_solved_equations(claim)
-    parts = [] if solved.entry.claimed is None else conjuncts(solved.entry.claimed)
+    parts = solved.domain
     if claim.entry.claimed in (None, solved.entry.claimed) or not parts:
         return False
     with suppress(*ABSENT):

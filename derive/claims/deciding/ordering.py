@@ -25,7 +25,6 @@ from .identity import ABSENT, STRICT, difference, not_negative, setting, whole_s
 from .polar import ALL, POSITIVE, Way, bounds
 from .proof import proved
 from .signs import MARGIN, Signs, signs_in
-from .solved import conjuncts
 from .terms import is_frame_free, operators
 
 DERIVATIVES_MAX = 8
@@ -154,8 +153,8 @@ def _along(claim: Claim, letter: Symbol) -> bool:
         claim, Way.POLAR, partial(_bends_down, letter=letter))
 
 
-def _domain(claim: Claim) -> list[Term]:
-    return [] if claim.entry.claimed is None else conjuncts(claim.entry.claimed)
+def _domain(claim: Claim) -> tuple[Term, ...]:
+    return claim.domain
 
 
 def _from(claim: Claim, letter: Symbol, begin: Bound, sign: int, length: Bound) -> bool:

@@ -16,9 +16,10 @@ from ..language.operations import written
 from ..language.printed import Symbol, Term, symbols
 from ..numbers.balls import BlurredError, arb
 from ..numbers.kinds import BRANCH, ORDER, SIGN, Numbers, Quantity, special
-from .claim import Claim, Place, kind
+from .claim import Claim, kind
 from .constrained import is_on, onto, touching
 from .equal_sides import equal_places
+from .place import Place
 from .singular import ABSENT, ORDERED, Singular, is_integer, singular, size
 from .terms import bare, operators
 from .uphill import Uphill
@@ -36,8 +37,8 @@ PAIRS_MAX = 24
 """Number of points with two special letters."""
 PROJECTIONS_MAX = 40
 """Number of points that are moved onto the equations of the stated domain."""
-FAILURES_MAX = 8
-"""Number of points in vain for each that is moved there."""
+ATTEMPTS_MAX = 8
+"""Number of attempts for each point that is moved there."""
 FEW = 24
 """Number of points in the stated domain below which more are drawn near them."""
 
@@ -52,7 +53,7 @@ class Probe:
         self.claim, self.terms = claim, terms or claim.parts
         self.random = random.Random(f"probe {claim.entry.number}")
         self.roots: dict[tuple[Term, Symbol], list[float]] = {}  # zeros of singular parts along the first line
-        self._projections = self._failures = 0
+        self._projections = self._attempts = 0  # points moved, and attempts
         self._found: list[Place] = []
 
     # ---- coordinates ----------------------------------------------------------------------------------------------
@@ -142,13 +143,11 @@ class Probe:
         """Yield the points on the equations of the domain near a point and near the opposite one."""
         opposite = {a: kind(a).antipode(c) if a in self.claim.coordinates else c for a, c in place.at.items()}
         for aim, start in product(self.claim.aims, (place, replace(place, at=opposite))):
-            if self._projections < PROJECTIONS_MAX and self._failures < (self._projections or 1) * FAILURES_MAX:
-                moved = onto(aim, start)
-                if moved is None:
-                    self._failures += 1
-                else:
-                    self._projections += 1
-                    yield moved
+            moves = self._projections < PROJECTIONS_MAX and self._attempts < (self._projections + 1) * ATTEMPTS_MAX
+            if moves and (moved := onto(aim, start)) is not None:
+                self._projections += 1
+                yield moved
+            self._attempts += moves
 
     def _short(self) -> Iterator[Place]:
         for i in range(3):

@@ -15,7 +15,8 @@ from ..language.operator_table import conjugate, norm, pi, trace
 from ..language.printed import Number, Symbol, Term, Trait, symbols, walk
 from ..numbers.balls import Ball, Balls, BlurredError, arb
 from ..numbers.fields import innermost
-from .claim import Claim, Place, kind
+from .claim import Claim, kind
+from .place import Place
 from .places import Probe
 
 BRANCHED = frozenset((

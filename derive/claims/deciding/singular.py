@@ -16,7 +16,8 @@ from ..language.printed import Number, Symbol, Term, symbols, walk
 from ..numbers.balls import BlurredError, arb
 from ..numbers.fields import innermost
 from ..numbers.kinds import BRANCH, ORDER, SIGN
-from .claim import Claim, Place, kind
+from .claim import Claim, kind
+from .place import Place
 from .terms import bare
 
 ORDERED = frozenset(("less", "at most", "greater", "at least", "unlike"))

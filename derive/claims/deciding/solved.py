@@ -12,6 +12,7 @@ from ..language.operator_table import Du, Re, both, dot, dyad, epsilon, equal, i
 from ..language.printed import Number, Symbol, Term, symbols
 from ..numbers.kinds import KINDS
 from .claim import Claim, kind
+from .terms import conjuncts
 
 PARTS = {
     "dual number": "real", "angle": "real angle", "dual vector": "real vector", "tensor": "tensor 3x3",
@@ -20,18 +21,13 @@ PARTS = {
 """Kinds of the real and dual parts of letters, where both are free."""
 
 
-def conjuncts(domain: Term) -> list[Term]:
-    """Return the relations that a domain joins by "and"."""
-    return [part for one in domain.arguments for part in conjuncts(one)] if domain.operator is both else [domain]
-
-
 def with_solved_equations(claim: Claim, *further: Term) -> tuple[Claim, tuple[Term, ...]]:
     """Return a claim and further terms with expressions for the letters for which its domain is solved.
 
     A dual letter without real part is ε times a real one; one without dual part is real. One whose parts alone occur is
     two real letters. The trace of a rotation tells the identity and half turns.
     """
-    domain = [] if claim.entry.claimed is None else conjuncts(claim.entry.claimed)
+    domain = claim.domain
     for part in domain:
         if (values := next(_solutions(claim, part), None)) is not None:
             rest = [one.xreplace(values) for one in domain if one is not part]

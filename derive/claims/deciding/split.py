@@ -10,7 +10,7 @@ from ..language.operator_table import Re, both, cross, equal, every, implies, ne
 from ..language.printed import Apply, Number, Term, Trait, walk
 from .claim import Claim
 from .identity import contradicts_itself
-from .solved import conjuncts, symmetric
+from .solved import symmetric
 
 CASES = "cases"
 """First letters of the names of operators whose value depends on conditions."""
@@ -37,7 +37,7 @@ def split(claim: Claim) -> Iterator[Claim]:
         for given in (unlike(normal, 0), equal(normal, 0)):
             yield from split(claim.within(given))
     else:
-        domain = [] if claim.entry.claimed is None else conjuncts(claim.entry.claimed)
+        domain = claim.domain
         many = next((part for part in domain if _alternatives(part)), None)
         for alternative in [] if many is None else _alternatives(many):
             yield from split(claim.on(reduce(both, [alternative if part is many else part for part in domain])))
@@ -111,7 +111,7 @@ def _by_cases(statement: Term) -> Iterator[Term]:
 
 def _normals(claim: Claim) -> Iterator[Term]:
     """Yield the normals of lines with a distance, which is another formula if they are 0, unless the domain tells."""
-    known = [] if claim.entry.claimed is None else conjuncts(claim.entry.claimed)
+    known = claim.domain
     for node in (node for node in walk(claim.statement) if node.operator is distance):
         normal = cross(*map(Re, node.arguments))
         if {unlike(normal, 0), equal(normal, 0)}.isdisjoint(known):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from ..language.operator_table import Du, Re, cos, epsilon, sin
+from ..language.operator_table import Du, Re, both, cos, epsilon, sin
 from ..language.printed import Apply, Number, Symbol, Term, Trait, distinct, symbols, walk, with_trait
 from ..numbers.kinds import KINDS
 
@@ -51,6 +51,13 @@ def is_dual(side: Term) -> bool:
 def is_frame_free(*statements: Term) -> bool:
     """Return whether all vectors may be turned together, as no component is taken."""
     return COMPONENTWISE.isdisjoint(name.split()[0] for name in operators(*statements) if name)
+
+
+def conjuncts(domain: Term | None) -> list[Term]:
+    """Return the relations that a domain joins by "and"."""
+    if domain is None:
+        return []
+    return [part for one in domain.arguments for part in conjuncts(one)] if domain.operator is both else [domain]
 
 
 def operators(*statements: Term) -> set[str]:

@@ -16,10 +16,10 @@ from ..language.printed import Symbol, Term
 from ..numbers.balls import BlurredError, arb
 from ..numbers.fields import innermost
 from ..numbers.kinds import Numbers
-from .claim import Claim, Place, kind
+from .claim import Claim, kind
 from .identity import STRICT, difference
+from .place import Place
 from .polar import bounds
-from .solved import conjuncts
 
 CORNERS_MAX = 512
 """Largest number of corners."""
@@ -34,7 +34,7 @@ class Uphill:
     """Source of points at the bounds of a domain, for a claim that is an order relation."""
 
     def __init__(self, claim: Claim) -> None:
-        domain = [] if claim.entry.claimed is None else conjuncts(claim.entry.claimed)
+        domain = claim.domain
         found = bounds(domain)
         self.claim = claim
         bounded = [a for a in claim.coordinates if a.name in found and kind(a).spread != "integer"]

@@ -20,7 +20,8 @@ from ..language.operator_table import Re, norm
 from ..language.printed import Symbol
 from ..numbers.balls import Ball, BlurredError, arb, precision
 from ..numbers.kinds import ORDER, Numbers
-from .claim import Claim, Place, kind
+from .claim import Claim, kind
+from .place import Place
 from .singular import ABSENT, Singular, plain_in
 
 FAR = tuple(map(Fraction, (30, 100, 1000, 10**4, 10**6, 10**12, 10**24)))
@@ -40,6 +41,7 @@ INTEGERS_MAX = 64
 """Size of the integers and orders at which zeros are sought."""
 FINE, WIDTH = 512, 160
 """Bits of the search for zeros, and bits of a zero's position."""
+Find = Callable[[], list[Any]]
 
 
 @dataclass(frozen=True)
@@ -148,21 +150,19 @@ def parallel(claim: Claim, letters: Sequence[Symbol], drawn: Callable[[], dict[S
         yield Line(claim, at, b, [Fraction(0)] * 3, at[a])
 
 
-def _brackets(
-    value: Callable[[Any], Any], grid: Sequence[Any], brief: bool
-) -> Iterator[tuple[Any, Callable[[], list[Any]]]]:
+def _brackets(value: Callable[[Any], Any], grid: Sequence[Any], brief: bool) -> Iterator[tuple[Any, Find]]:
     """Yield the places near which a number vanishes, each with the function that finds the zeros there."""
     seen = []
     for t in grid:
         f = value(t)
         if f is not None and f.contains(0):
-            yield t, partial(_listed, arb, t)
+            yield t, partial(list, [arb(t)])
             seen += [(u, value(u)) for u in (t - ASIDE * (1 + abs(t)), t + ASIDE * (1 + abs(t)))]
         else:
             seen.append((t, f))
     for (t, f), (u, g) in pairwise(seen):
         if f is not None and g is not None and f * g < 0:
-            yield t, partial(_listed, zero, value, arb(t), arb(u), f, g)
+            yield t, partial(_between, value, arb(t), arb(u), f, g)
     if brief:
         return
     for (t, f), (_, g), (u, h) in zip(seen, seen[1:], seen[2:], strict=False):
@@ -170,8 +170,8 @@ def _brackets(
             yield t, partial(_about_least, value, arb(t), arb(u), f, h)
 
 
-def _listed(find: Callable[..., Any], *arguments: Any) -> list[Any]:
-    return [find(*arguments)]
+def _between(value: Callable[[Any], Any], *ends: Any) -> list[Any]:
+    return [zero(value, *ends)]
 
 
 def _about_least(value: Callable[[Any], Any], a: Any, b: Any, fa: Any, fb: Any) -> list[Any]:

@@ -12,7 +12,7 @@ of `signs`, and a claim is proved if it is true for all of them.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from contextlib import suppress
 from fractions import Fraction
 from functools import cached_property
@@ -21,10 +21,10 @@ from math import prod
 from typing import Any
 
 from ...algebra.element import Element, NotExactError
+from .angles import Angles
 from .ideal import Ideal
-from .integers import Integers, is_whole
-from .intervals import INTERVALS, Monomial, interval
-from .signed import Bound, Signed, turns_to_principal
+from .intervals import INTERVALS, Monomial
+from .signed import Bound, Signed
 
 POOLS = {"tangent": 7, "exponential": 2, "root": 4, "logarithm": 4, "angle": 4, "turn": 3, "power": 0}
 """Number of generators of the exact field that are given a meaning when a formula needs one; a turn is an integer."""
@@ -32,7 +32,7 @@ POWERS_MAX = 12
 """Number of generators of powers in a field with integers."""
 
 
-class Generators(Integers):
+class Generators(Angles):
     """Rational functions of independent generators, with sines, exponentials, logarithms and roots.
 
     Multiples of ``m/steps`` have exact sine and cosine, for every monomial m of the names. `ranges` gives intervals of
@@ -172,56 +172,17 @@ class Generators(Integers):
         self.assumed.append(root * self.next_sign(root))
         return self.assumed[-1]
 
-    # ---- angles and exponents ----------------------------------------------------------------------------------------
-
-    def _sin(self, a: Any) -> Any:
-        return self._circle(self.element(a))[1]
-
-    def _cos(self, a: Any) -> Any:
-        return self._circle(self.element(a))[0]
-
-    def _circle(self, a: Any) -> tuple[Any, Any]:
-        """Return cosine and sine of a polynomial in the names."""
-        c, s = self.element(1), self.element(0)
-        for monomial, multiple in self.terms(a):
-            cosine, sine = self._of_monomial(monomial, multiple)
-            c, s = c * cosine - s * sine, c * sine + s * cosine
-        return c, s
-
-    def _of_monomial(self, monomial: Monomial, multiple: Fraction) -> tuple[Any, Any]:
-        whole = tuple(row for row in monomial if row != ("pi", 1))
-        if len(whole) < len(monomial) and is_whole(self, whole) and (2 * multiple).denominator == 1:
-            return self.quarters(whole, int(2 * multiple))
-        count = multiple * self.steps
-        if count.denominator != 1 or not monomial:
-            raise NotExactError("a number or a fraction of an angle in a sine")
-        point = next((point for point, angle in self.angles if angle == self.product(monomial)), None)
-        if point is not None and multiple.denominator == 1:
-            return self._turned(*self._on_circle(*point), int(multiple))
-        t = self.symbol(self._meaning("tangent", monomial))
-        return self._turned((1 - t * t) / (1 + t * t), 2 * t / (1 + t * t), int(count))
-
-    def _on_circle(self, y: Any, x: Any) -> tuple[Any, Any]:
-        """Return cosine and sine of the angle of a point."""
-        radius = self._sqrt(x * x + y * y)
-        return x / radius, y / radius
-
-    def _turned(self, cosine: Any, sine: Any, count: int) -> tuple[Any, Any]:
-        """Return cosine and sine of a multiple of an angle."""
-        c, s = self.element(1), self.element(0)
-        for _ in range(abs(count)):
-            c, s = c * cosine - s * sine, c * sine + s * cosine
-        return c, s if count > 0 else -s
+    # ---- exponents and logarithms ------------------------------------------------------------------------------------
 
     def _exp(self, a: Any) -> Any:
         found = self.element(1)
         for monomial, multiple in self.terms(self.element(a)):
             if multiple.denominator != 1 or not monomial:
                 raise NotExactError("a number or a fraction of a letter in an exponent")
-            found = found * self.symbol(self._meaning("exponential", monomial)) ** int(multiple)
+            found = found * self.symbol(self.meaning_of("exponential", monomial)) ** int(multiple)
         return found
 
-    def _meaning(self, what: str, monomial: Monomial) -> str:
+    def meaning_of(self, what: str, monomial: Monomial) -> str:
         """Return the generator for the tangent or exponential of a monomial."""
         if (what, monomial) not in self.meanings:
             name = self.next_of(what)
@@ -266,53 +227,8 @@ class Generators(Integers):
                 rest = rest / number ** (sign * count)
         return found if rest == 1 else [*found, (rest, 1)]
 
-    # ---- inverse functions -------------------------------------------------------------------------------------------
-
-    def _atan2(self, y: Any, x: Any) -> Any:
-        """Return the angle of a point as a multiple of a known one, up to turns if its range is unknown."""
-        y, x = self.element(y), self.element(x)
-        if not y and (self.is_positive(x) or self.is_positive(-x)):
-            return y if self.is_positive(x) else self.pi
-        for (b, a), angle in self.angles:
-            if self._along(y, x, b, a):
-                return angle
-        angle = self._known_angle(y, x)
-        if angle is None:
-            name = self.next_of("angle")
-            angle = self.symbol(name)
-            self.restrict("angle", name, y)
-        self.angles.append(((y, x), angle))
-        return angle
-
-    def _along(self, y: Any, x: Any, b: Any, a: Any) -> bool:
-        """Return whether two points (x, y) and (a, b) are proved to lie in one direction."""
-        return bool(y * a == x * b) and self.is_positive(y * b + x * a)
-
-    def _known_angle(self, y: Any, x: Any) -> Any:
-        """Return the angle of a point as k/steps of a monomial, plus turns if its range does not tell; else None."""
-        for sign, half in ((1, 0), (-1, 1)):
-            for monomial, part in self.multiples(lambda c, s: self._along(y * sign, x * sign, s, c)):  # noqa: B023
-                closed = any(name in self.closed for name, _ in monomial)
-                turns = turns_to_principal(part, *interval(self, monomial), closed, half)
-                whole = self.symbol(self.next_of("turn")) if turns is None else turns
-                return self.product(monomial) * part + self.pi * (2 * whole + half)
-        return None
-
-    def multiples(self, test: Callable[[Any, Any], bool]) -> Iterator[tuple[Monomial, Fraction]]:
-        """Yield the multiples of the monomials of known tangents whose cosine and sine pass a test."""
-        for monomial in [monomial for what, monomial in self.meanings if what == "tangent"]:
-            for part in (Fraction(k, self.steps) for k in range(-2 * self.steps, 2 * self.steps + 1) if k):
-                if test(*self._of_monomial(monomial, part)):
-                    yield monomial, part
-
     def product(self, monomial: Monomial) -> Any:
         return prod((self.symbol(name) ** power for name, power in monomial), start=self.element(1))
-
-    def _asin(self, a: Any) -> Any:
-        return self._atan2(a, self._sqrt(1 - self.element(a) ** 2))
-
-    def _acos(self, a: Any) -> Any:
-        return self._atan2(self._sqrt(1 - self.element(a) ** 2), a)
 
     @property
     def pi(self) -> Any:

@@ -8,7 +8,8 @@ from itertools import product
 import pytest
 
 from derive.algebra import Dual, Quaternion, Tensor, Vector, real_part
-from derive.claims.deciding.claim import Claim, Place
+from derive.claims.deciding.claim import Claim
+from derive.claims.deciding.place import Place
 from derive.claims.equation import equation
 from derive.claims.language.operator_table import equal
 from derive.claims.language.printed import Symbol
