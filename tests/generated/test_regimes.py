@@ -69,8 +69,9 @@ NEXT_AXES = [1, 2, 0, 4, 5, 3]
 PRODUCTS = ("compose", "between", "retract", "body_retract", "local", "body_local", "interpolate")
 
 
-@pytest.mark.parametrize("table", ["", "rotation"])
-@pytest.mark.parametrize("name", [name for name in CHARTS if subject(name).edge < np.inf])
+@pytest.mark.parametrize(
+    ("name", "table"), thorough.in_turn((name for name in CHARTS if subject(name).edge < np.inf), ("", "rotation"))
+)
 def test_products_of_long_vectors_are_those_of_shorter_ones(name: str, table: str) -> None:
     """Expect rotations of vectors of length 1e15 for longer ones, or no finite result.
 

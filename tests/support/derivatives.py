@@ -147,7 +147,6 @@ class Case:
             sizes = [float(max(map(abs, [*one, *other]))) for one, other in zip(found, others, strict=True)]
             return found[1].astype(float), found[3].astype(float), max(sizes[:3]), max(sizes)
 
-
     def _slope(self, function: Any, direction: Any) -> Any:
         """Return the function that is the difference quotient of a function along a direction."""
         h = mpmath.mpf(self.step)
@@ -203,27 +202,28 @@ def modes(jvp: Any, jacrev: Any, function: Any, at: Any, along: Any, second: Any
     return found
 
 
-def by_jax(function: Any, *given: Any) -> dict[str, np.ndarray]:
-    """Return derivatives at a batch of points by one compiled call."""
+def modes_in_jax(function: Any) -> Callable[..., dict[str, Any]]:
+    """Return the function of a point and two directions that gives the derivatives of a function by mode."""
     import jax
-
-    jax.config.update("jax_enable_x64", True)
 
     def flat_of(z: Any) -> Any:
         return jax.numpy.concatenate([part.ravel() for part in jax.tree.leaves(function(z))])
 
-    mapped = jax.vmap(partial(modes, jax.jvp, jax.jacrev, flat_of), in_axes=(0, None, None))
+    jax.config.update("jax_enable_x64", True)
+    return partial(modes, jax.jvp, jax.jacrev, flat_of)
+
+
+def by_jax(function: Any, *given: Any) -> dict[str, np.ndarray]:
+    """Return derivatives at a batch of points by one compiled call."""
+    import jax
+
+    mapped = jax.vmap(modes_in_jax(function), in_axes=(0, None, None))
     return {mode: np.asarray(found) for mode, found in jax.jit(mapped, compiler_options=QUICKLY)(*given).items()}
 
 
 def by_traces(function: Any, points: np.ndarray, *along: np.ndarray) -> dict[str, np.ndarray]:
     """Return derivatives at points by what JAX traces, which NumPy runs."""
-    import jax
-
-    def flat_of(z: Any) -> Any:
-        return jax.numpy.concatenate([part.ravel() for part in jax.tree.leaves(function(z))])
-
-    one = partial(modes, jax.jvp, jax.jacrev, flat_of)
+    one = modes_in_jax(function)
     found = [traced.run(one, at, *along) for at in points]
     return {mode: np.stack([each[mode] for each in found]) for mode in found[0]}
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import functools
 import importlib
 from collections.abc import Callable
 from types import ModuleType
@@ -57,7 +56,6 @@ LIBRARIES: dict[str, Callable[[], Convert]] = {
     "array-api-strict": _strict,
     "jax": _jax,
     "jax traced": _jax,
-    "jax.jit": _jax,
     "dask": _dask,
     "torch": _torch,
     "torch on a GPU": _torch_on_gpu,
@@ -91,14 +89,6 @@ QUICKLY = {"xla_backend_optimization_level": 0}
 """Options of XLA for quick compilation; tests do not need fast functions."""
 
 
-@functools.cache
-def _compiled(function: Callable[..., Any], static: tuple[int, ...]) -> Callable[..., Any]:
-    """Compile a function by ``jax.jit``, once for each set of shapes and static arguments."""
-    import jax
-
-    return jax.jit(function, static_argnums=static, static_argnames="axis", compiler_options=QUICKLY)
-
-
 class Through:
     """Kernel module that takes and returns NumPy arrays, but computes in another library."""
 
@@ -113,11 +103,7 @@ class Through:
         def call(*values: Any, **options: Any) -> Any:
             if self.library == "jax traced":
                 return traced.run(function, *values, **options)
-            called = function
-            if self.library == "jax.jit" and values:
-                static = tuple(i for i, v in enumerate(values) if isinstance(v, int))
-                called = _compiled(function, static)
-            found = called(*(self.convert(v) if isinstance(v, np.ndarray) else v for v in values), **options)
+            found = function(*(self.convert(v) if isinstance(v, np.ndarray) else v for v in values), **options)
             return tuple(map(on_host, found)) if isinstance(found, tuple) else on_host(found)
 
         return call

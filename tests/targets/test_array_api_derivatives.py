@@ -72,7 +72,6 @@ def test_maps_there_and_back_are_the_identity(package, chart):
 
 
 def test_derivatives_of_a_map(package):
-    LIBRARIES["jax"]()
     assert not above_gate(package, ("cayley2", "quaternion", POSES, np.float64), by_traces, share=5)
 
 

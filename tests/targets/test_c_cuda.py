@@ -69,6 +69,7 @@ def test_every_function_of_every_chart_becomes_device_code(tmp_path):
         assert compiled(chart, tmp_path, tmp_path, WAYS[place % len(WAYS)]) == "", chart.name
 
 
+@pytest.mark.thorough
 def test_a_literal_of_another_type_is_refused(tmp_path):
     files.write(tmp_path, print_package([Cayley(3)], TARGETS["c"], tested=False).texts)
     header = tmp_path / "cayley3.h"
