@@ -120,7 +120,8 @@ class Probe:
     def _inside(self, places: Iterable[Place]) -> Iterator[Place]:
         for place in filter(self._has_kinds, places):
             try:
-                if self.claim.inside(place) and (not self.claim.depth or self._is_on(place)):
+                moving = self.claim.aims if self.claim.depth else ()  # rates, too, fulfil the equations
+                if self.claim.inside(place) and (not moving or any(is_on(aim, place) for aim in moving)):
                     yield place
                 elif self.claim.aims:
                     yield from islice(filter(self.claim.inside, self._projected(place)), 1)
@@ -134,10 +135,6 @@ class Probe:
         letters = (a for a in self.claim.coordinates if kind(a).invertible)
         return all(0 <= k < n for n in orders for k in branches) and not any(
             arb(c).contains(0) for a in letters for c in place.at[a])
-
-    def _is_on(self, place: Place) -> bool:
-        """Return whether the rates of a point, too, fulfil the equations of the stated domain."""
-        return not self.claim.aims or any(is_on(aim, place) for aim in self.claim.aims)
 
     def _projected(self, place: Place) -> Iterator[Place]:
         """Yield the points on the equations of the domain near a point and near the opposite one."""

@@ -162,16 +162,12 @@ def _brackets(value: Callable[[Any], Any], grid: Sequence[Any], brief: bool) -> 
             seen.append((t, f))
     for (t, f), (u, g) in pairwise(seen):
         if f is not None and g is not None and f * g < 0:
-            yield t, partial(_between, value, arb(t), arb(u), f, g)
+            yield t, partial(lambda *ends: [zero(value, *ends)], arb(t), arb(u), f, g)
     if brief:
         return
     for (t, f), (_, g), (u, h) in zip(seen, seen[1:], seen[2:], strict=False):
         if None not in (f, g, h) and f * h > 0 and f * g > 0 and not abs(g) > abs(f) and not abs(g) > abs(h):
             yield t, partial(_about_least, value, arb(t), arb(u), f, h)
-
-
-def _between(value: Callable[[Any], Any], *ends: Any) -> list[Any]:
-    return [zero(value, *ends)]
 
 
 def _about_least(value: Callable[[Any], Any], a: Any, b: Any, fa: Any, fb: Any) -> list[Any]:
