@@ -1,4 +1,4 @@
-"""Control of proofs: a formula in use that is changed in one step is proved only if it stays true."""
+"""Control of proofs: a formula in use, or of a paper, that is changed in one step is proved only if it stays true."""
 
 from __future__ import annotations
 
@@ -12,14 +12,15 @@ import pytest
 from derive.claims.decide import _premised
 from derive.claims.deciding.changes import changes
 from derive.claims.deciding.claim import Claim
-from derive.claims.deciding.ordering import ordered
+from derive.claims.deciding.finding import _proof
 from derive.claims.deciding.places import Probe
-from derive.claims.deciding.proof import proved
 from derive.claims.equation import Entry
 from derive.claims.numbers.balls import BlurredError
+from derive.papers import PAPERS
 from docs.pages.field_facts import sheets
 
-ROWS = [entry for read in sheets() for entry in read.entries() if entry.corrected is None and entry.written is not None]
+READ = [entry for sheet in (*sheets(), *PAPERS) for entry in sheet.entries()]
+ROWS = [entry.meant for entry in READ if entry.corrected is None and not entry.undecided]
 POINTS = 12
 SORTS = ("sign", "factor", "swapped")
 
@@ -31,7 +32,7 @@ def mutants(entries: Sequence[Entry], count: int) -> Iterator[Claim]:
         steps = [changed for _, sort, _, changed in changes(entry.readings[0].statement) if sort in SORTS]
         for changed in source.sample(steps, min(count, len(steps))):
             with suppress(ValueError):  # a mutant may be no claim at all
-                yield _premised(Claim(entry, changed))
+                yield _premised(Claim(entry, changed)).within(*([] if entry.condition is None else [entry.condition]))
 
 
 def is_false(claim: Claim) -> bool:
@@ -46,7 +47,7 @@ def is_false(claim: Claim) -> bool:
 def wrongly_proved(entries: Sequence[Entry], count: int) -> tuple[int, list[str]]:
     """Return the number of mutants that are false, and those of them that are proved."""
     false = [claim for claim in mutants(entries, count) if is_false(claim)]
-    wrong = [claim for claim in false if proved(claim) is not None or ordered(claim)]
+    wrong = [claim for claim in false if _proof(claim) is not None]
     return len(false), [f"{claim.entry.number}: {claim.statement}" for claim in wrong]
 
 
