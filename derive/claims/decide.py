@@ -68,6 +68,8 @@ def _result(paper: str, entry: Entry, claims: Sequence[Claim], findings: Sequenc
     if _is_ambiguous(entry, verdicts):
         status, method = Status.AMBIGUOUS, "; ".join(verdict.method for verdict in verdicts)
     meant = claim.entry
+    if meant.because is not None:
+        method += "; its supporting identity is proved"
     decisive = claim.statement if meant.corrected is None else meant.corrected
     return Result(
         paper, entry, status, method, verdicts, meant.condition is not None and is_sharp(meant.condition, decisive),

@@ -33,9 +33,9 @@ def test_page_counts_the_statuses_of_the_data(paper: str) -> None:
 @pytest.mark.parametrize(
     ("key", "part", "text"),
     [
-        *((f"c {name}onto", "method", "refuted at .*supporting identity proved exactly")
+        *((f"c {name}onto", "method", "refuted at .*supporting identity is proved")
           for name in ("cayley-", "cayley-quaternion-", "cayley-half-")),
-        *((f"c {number}", "method", "supporting identity proved exactly")
+        *((f"c {number}", "method", "supporting identity is proved")
           for number in ("arc-tangent", "25", "42", "43")),
         ("c 105", "corrected", r"\\frac\{1 - \\left\|\\underline\{\\mathbf\{v\}\}\\right\|\^\{2\}\}\{4\}"),
         ("c 111", "corrected", r"16\\, \\underline"), ("c 125", "corrected", "45 - 34"),
