@@ -110,7 +110,7 @@ def _corrected(found: Result, claim: Claim, finding: Finding) -> Result:
     claim = _premised(claim.with_statement(entry.corrected))
     correction = decided(claim)
     if correction.holds:
-        method = f"{finding.method}; correction {correction.method}"
+        method = f"{found.method}; correction {correction.method}"
         return replace(found, status=Status.ERRATUM, method=method, found=correction.found)
     if entry.is_transcribed:
         raise UndecidedError(f"({entry.number}): the correction is false: {correction.method}")

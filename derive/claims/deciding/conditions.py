@@ -6,13 +6,13 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 
-from ...algebra import Structure, Tensor
+from ...algebra import Quaternion, Structure, Tensor
 from ...algebra.matrix import Matrix
 from ..language.calculus import BINDERS
 from ..language.environment import Env
 from ..language.matrices import at_least, at_most, greater, unlike
 from ..language.operations import written
-from ..language.operator_table import Re, cos, det, equal, nonzero, norm, over, sin, trace
+from ..language.operator_table import Re, cos, det, equal, nonzero, norm, over, quaternion_scalar, sin, trace
 from ..language.printed import Number, Term, Trait, symbols
 from ..numbers.balls import BlurredError, precision
 from ..numbers.fields import innermost
@@ -56,7 +56,8 @@ def fault(env: Env, node: Term) -> Exclusion | None:
     if name == "over":
         return Exclusion(_factor(env, arguments[1]), "!= 0")
     if name == "power" and isinstance(exponent := env.value(arguments[1]), Fraction) and exponent.denominator > 1:
-        return Exclusion(arguments[0], ">= 0" if exponent > 0 and exponent.denominator == 2 else "> 0")
+        closed = exponent > 0 and exponent.denominator == 2 and not _vanishes(env, arguments[0])
+        return Exclusion(arguments[0], ">= 0" if closed else "> 0")
     if name in ("power", "inverse"):
         return Exclusion(_factor(env, arguments[0]), "!= 0")
     if name == "norm":
@@ -67,10 +68,12 @@ def fault(env: Env, node: Term) -> Exclusion | None:
         value = env.value(arguments[0])
         if isinstance(value, Tensor | Matrix):
             return Exclusion(trace(*arguments), "!= -1" if isinstance(value, Tensor) else "!= 0")
+        if isinstance(value, Quaternion):
+            return Exclusion(norm(*arguments) + quaternion_scalar(*arguments), "!= 0")
         if not isinstance(value, Structure):
             return Exclusion(arguments[0], "> 0")
     if name in ("acos", "asin"):
-        return Exclusion(norm(arguments[0]), "<= 1")
+        return Exclusion(norm(arguments[0]), "< 1" if _vanishes(env, Number(1) - arguments[0] ** 2) else "<= 1")
     if name in ("tan", "cot"):
         return Exclusion((cos if name == "tan" else sin)(*arguments), "!= 0")
     if name == "atan2 of two":

@@ -12,8 +12,7 @@ from functools import partial
 
 from ...algebra import Quaternion, Structure, Tensor
 from ...algebra.matrix import Matrix
-from ..language.operator_table import epsilon
-from ..language.printed import Term
+from ..language.printed import Term, symbols
 from ..numbers.fields import innermost
 from ..numbers.generators import Generators
 from .claim import Claim
@@ -22,7 +21,7 @@ from .identity import ABSENT, setting, with_free_product
 from .partial import OPEN, is_invertible, is_named, partial_operations
 from .signs import Signs, signs_in
 from .solved import with_solved_equations
-from .terms import is_dual, takes_parts
+from .terms import is_dual
 
 
 def signs_of(claim: Claim, condition: Sequence[Term], parts: Sequence[Term]) -> list[Signs]:
@@ -58,30 +57,34 @@ def undecided_parts(claim: Claim, condition: Sequence[Term] = ()) -> list[Term]:
 
 
 def _has_slope(claim: Claim, part: Term) -> bool:
-    """Return whether rates of a part matter, or its dual part beside a real one."""
-    is_pure = part.operator.name == "times" and epsilon in part.arguments  # its magnitude is that of the dual part
-    return bool(claim.depth or (takes_parts(claim.statement) and is_dual(part) and not is_pure))
+    """Return whether rates or the dual part of a part matter."""
+    return bool(claim.depth and not claim.at_rest.issuperset(symbols(part))) or is_dual(part)
 
 
 def _has_value(signs: Signs, part: Term, asked: str) -> bool:
     if asked == OPEN:
         return False
-    if asked == "not 0" and (is_invertible(part) or is_named(part, signs.named) or signs.is_above(part, True)):
+    apart = asked in ("not 0", "magnitude")
+    if apart and (is_invertible(part) or is_named(part, signs.named) or signs.is_above(part, True)):
         return True
     try:
         value = signs.env.value(part)
         if asked == "logarithm" and isinstance(value, Tensor | Matrix):
             turned = value.trace() + 1 if isinstance(value, Tensor) else sum(value.rows[i][i] for i in range(4))
             return signs.is_nonzero(signs.field.element(innermost(signs.env.now(turned))))
+        if asked == "logarithm" and isinstance(value, Quaternion):  # no negative number
+            length = signs.field.sqrt(signs.number(part))
+            return signs.is_nonzero(length + signs.number(part, lambda q: innermost(q.scalar)))
         if asked == "logarithm" and isinstance(value, Structure):
             return signs.is_nonzero(signs.number(part))
-        if asked == "not 0":
-            return signs.is_nonzero(signs.number(part))
+        if apart:
+            number = signs.number(part)
+            return signs.is_nonzero(number) or (asked == "magnitude" and signs.field.same(number, 0))
         if isinstance(value, Quaternion) and any(value.vector):
             return signs.is_positive(signs.number(part, lambda h: innermost(h.scalar)), strict=True)
         number = signs.number(part, lambda a: innermost(a.scalar if isinstance(a, Quaternion) else a))
-        if asked == "within 1":
+        if asked in ("within 1", "inside 1"):
             number = 1 - number * number
-        return signs.is_positive(number, strict=asked == "logarithm")
+        return signs.is_positive(number, strict=asked in ("logarithm", "inside 1"))
     except ABSENT:
         return False

@@ -143,7 +143,9 @@ def _found(claim: Claim, early: Callable[[Finding], None]) -> Finding:
     if not finding.holds:
         return finding
     early(_unproved(finding, ""))
-    within = claim if finding.within is None else claim.within(*finding.within.terms)
+    given = [*([] if finding.within is None else finding.within.terms),
+             *(part for part in finding.needed if part.operator is not equal)]  # equations say that a term has a value
+    within = claim.within(*given) if given else claim
     return _with_proof(within, finding, how if tried and within is claim else _proof(within))
 
 
@@ -159,9 +161,11 @@ def _equal_sides(claim: Claim, places: Sequence[Place]) -> list[Place]:
 
 def _proof(claim: Claim) -> str | None:
     """Return how a claim is proved where both sides have a value, by the weakest of its parts; or None."""
-    hows = [_proof_of_part(part) for part in split(claim)]
+    hows = [_proof_of_part(part) for part in split(claim)]  # none if no point lies in the domain
     known = [how for how in hows if how is not None]
-    return max(known, key=lambda how: (_is_for_some_orders(how), how.startswith(MODULO))) if known == hows else None
+    if not hows or known != hows:
+        return None
+    return max(known, key=lambda how: (_is_for_some_orders(how), how.startswith(MODULO)))
 
 
 def _proof_of_part(claim: Claim) -> str | None:

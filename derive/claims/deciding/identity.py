@@ -8,21 +8,22 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
-from functools import partial
+from functools import lru_cache, partial
 from itertools import permutations
 from math import lcm, prod
 from typing import Any
 
 from ...algebra.element import NotExactError
+from ..equation import Entry
 from ..language.environment import Env
-from ..language.matrices import inverse
+from ..language.matrices import inverse, unlike
 from ..language.operations import written
-from ..language.operator_table import Du, over
+from ..language.operator_table import Du, Re, equal, over
 from ..language.printed import Number, Symbol, Term, Trait, symbols, walk, with_trait
 from ..language.values import coefficients
 from ..numbers.fields import innermost
 from ..numbers.generators import Generators
-from ..numbers.kinds import BRANCH, ORDER
+from ..numbers.kinds import BRANCH, KINDS, ORDER
 from ..numbers.residues import Residues, UnluckyError
 from .claim import Claim, kind
 from .constrained import gaps
@@ -113,8 +114,8 @@ def _evaluated(
     claim: Claim, make: Make, fixed: Mapping[Symbol, int], signs: Sequence[int]
 ) -> Generators | None:
     """Return the field if the claim is true with these signs of the first roots, else None."""
-    env = setting(claim, make, fixed, signs)
     try:
+        env = setting(claim, make, fixed, signs)
         true = env.value(claim.statement)
     except (NotExactError, UnluckyError):
         raise
@@ -175,10 +176,32 @@ def contradicts_itself(claim: Claim) -> bool:
     parts = solved.domain
     if claim.entry.claimed in (None, solved.entry.claimed) or not parts:
         return False
-    with suppress(*ABSENT):
-        env = setting(solved.on(None), Generators, solved.choices[0])
-        return any(_is_false(env, part) for part in parts if env.dual or not takes_parts(part))
-    return False
+    return any(_is_never_true(solved.on(None), part) for part in parts)
+
+
+@lru_cache(maxsize=256)
+def vanishes_without(part: Term, letter: Symbol) -> bool:
+    """Return whether the real part of a term is 0 where that of a letter is."""
+    claim, _ = with_solved_equations(Claim(Entry("", ()), Re(part)).on(equal(Re(letter), 0)))
+    return _is_never_true(claim, unlike(claim.statement, 0))
+
+
+def _is_never_true(claim: Claim, part: Term) -> bool:
+    """Return whether a relation of no order, branch or sign is false for all signs of roots."""
+    if not all(a.quantity.name in KINDS or not a.quantity.varies for a in symbols(part)):
+        return False
+    waiting: list[tuple[int, ...]] = [()]
+    while waiting:
+        signs = waiting.pop()
+        try:
+            env = setting(claim, Generators, claim.choices[0], signs)
+            if (takes_parts(part) and not env.dual) or not _is_false(env, part):
+                return False
+        except ABSENT:
+            return False
+        roots: Any = env.field
+        waiting += [(*roots.signs[:i], -1) for i in range(len(signs), len(roots.roots))]
+    return True
 
 
 def _is_false(env: Env, part: Term) -> bool:

@@ -194,12 +194,17 @@ class Probe:
             found += [(a, label, Place("", {a: c}, parts=parts, turns=turns[label])) for label, c, parts in rows]
         return found
 
+    def _beside(self) -> dict[Symbol, Any]:
+        """Return coordinates of all letters, those of a point in the stated domain if one was found."""
+        stated = self.claim.entry.claimed is not None and bool(self._found)
+        return dict(self.random.choice(self._found).at) if stated else self.drawn()
+
     def _special(self) -> Iterator[Place]:
         for letter, label, one in self._specials:
-            yield replace(one, label=f"{letter.name}: {label}", at={**self.drawn(), **one.at})
+            yield replace(one, label=f"{letter.name}: {label}", at={**self._beside(), **one.at})
         origin = {a: special(kind(a))["0"] for a in self.claim.coordinates if "0" in special(kind(a))}
         if len(origin) > 1:
-            yield Place(f"{', '.join(a.name for a in origin)} = 0", {**self.drawn(), **origin}, pair=True)
+            yield Place(f"{', '.join(a.name for a in origin)} = 0", {**self._beside(), **origin}, pair=True)
 
     def _rates(self) -> Iterator[Place]:
         """Yield dual parts and rates of other sizes: all 0, fractions, and large ones."""

@@ -163,6 +163,7 @@ class Polar:
         quotients = ((key.partition("/"), ends) for key, ends in bounds.items() if "/" in key)
         self.field.ratios = {((f"{a}.0", 1), (f"{n}.0", -1)): ends for (a, _, n), ends in quotients}
         self.field.endless = {f"{a.name}.A" for a, form in self.forms.items() if form is TANGENT}
+        self.field.endless |= {name for name in self.field.limits - shut if name.endswith(".X")}  # their end is 0
         self.values = {a: self._value(a, list(stems[a])) for a in letters}
         self.values |= {a: self.field.symbol(f"{a.name}.0") for a in counts}
 

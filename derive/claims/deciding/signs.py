@@ -85,9 +85,10 @@ class Signs:
                 self.apart.append(self.number(part.arguments[0]))
             elif name in STRICT:
                 number = self.field.element(not_negative(self.env, part))
-                self.field.assumed += [number, *self._squared(number)]
-                if STRICT[name]:
-                    self._keep_from_0(number)
+                found = [number, *self._squared(number)]
+                self.field.assumed += found
+                for one in found if STRICT[name] else ():
+                    self._keep_from_0(one)
             elif name in ("both", "and"):
                 for one in arguments:
                     self.assume(one)
@@ -119,9 +120,23 @@ class Signs:
         """Return whether a number is proved to be 0 nowhere."""
         if a in self.apart or -a in self.apart:
             return True
+        a = self._without_quotients(a)
         far = bool(a) and is_apart_at_infinity(self, a) and (all(map(self._is_apart, self.ring.factors(a))) or (
             not self.free and any(self.field.is_positive(b - MARGIN) for b in (a, -a))) or self._is_excluded(a))
         return far or (bool(a) and self._is_above_square(a))
+
+    def _without_quotients(self, a: Element) -> Element:
+        """Return a number without the quotients of tangents and their angles, which are 0 nowhere."""
+        rows = [self.ring.library.factors(part) for part in (a.numerator, a.denominator)]
+
+        def power(factors: Any, of: Element) -> int:
+            return next((count for factor, count in factors if factor == of.numerator), 0)
+
+        for angle, name in self._tangents():
+            tangent = self.field.symbol(name)
+            for (above, below), sign in ((rows, 1), (rows[::-1], -1)):
+                a = a * (angle / tangent) ** (sign * min(power(above, tangent), power(below, angle)))
+        return a
 
     def _is_above_square(self, a: Element) -> bool:
         """Return whether a number is at least the square of one that is not 0, up to its sign."""
@@ -151,9 +166,8 @@ class Signs:
         if not self.ring.definite(factor, strict=True):
             return False
         letters = self._letters(self.ring.fraction(factor, self.ring.library.one))
-        if len(letters) < 2 or letters <= self.numbers:
-            return True
-        return self.free and self.ring.definite(factor, strict=True, limits=True)
+        reached = self.free or len(letters) < 2  # no direction that polar forms leave out
+        return letters <= self.numbers or (reached and self.ring.definite(factor, strict=True, limits=True))
 
     def _is_above(self, factor: Any, square: Any) -> bool:
         """Return whether a factor has one sign even without a multiple of a square of this sign."""
@@ -173,7 +187,7 @@ class Signs:
                 if not parts or name in above:  # an angle may be that of a point given by its own tangent
                     yield name.split(".")[0]
                 for part in parts if name not in above else ():
-                    yield from of(part, above | {name})
+                    yield from of(part, above | {name}) if isinstance(part, Element) else ()
 
         return {*of(a, frozenset())} - {"pi"}
 

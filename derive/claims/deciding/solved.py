@@ -6,9 +6,9 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
 from functools import reduce
 
-from ..language.matrices import zeros
+from ..language.matrices import unlike, zeros
 from ..language.operations import written
-from ..language.operator_table import Du, Re, both, dot, dyad, epsilon, equal, identity, skew, trace, vect
+from ..language.operator_table import Du, Re, both, dot, dyad, epsilon, equal, identity, nonzero, skew, trace, vect
 from ..language.printed import Number, Symbol, Term, symbols
 from ..numbers.kinds import KINDS
 from .claim import Claim, kind
@@ -60,7 +60,8 @@ def _solutions(claim: Claim, part: Term) -> Iterator[Mapping[Term, Term]]:
         if is_part and name in PARTS and value == Number(0):
             left, zero = _part(Du if side.operator is Re else Re, letter), zero_like(letter)
             if side.operator is Re:
-                yield {Re(letter): zero, Du(letter): left, letter: epsilon * left}
+                known = {unlike(letter, 0): unlike(left, 0), nonzero(letter): nonzero(left)}
+                yield {**known, Re(letter): zero, Du(letter): left, letter: epsilon * left}
             else:
                 yield {Re(letter): left, Du(letter): zero, letter: left}
         value = zero_like(letter) if value in (Number(0), Number(0) * letter) else value

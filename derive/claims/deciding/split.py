@@ -7,10 +7,11 @@ from functools import reduce
 
 from ..language.matrices import distance, either, unlike
 from ..language.operator_table import Re, both, cross, equal, every, implies, negated
-from ..language.printed import Apply, Number, Term, Trait, walk
+from ..language.printed import Apply, Number, Term, Trait, symbols, walk
 from .claim import Claim
-from .identity import contradicts_itself
-from .solved import symmetric
+from .identity import contradicts_itself, vanishes_without
+from .solved import PARTS, symmetric
+from .terms import is_dual, magnitudes
 
 CASES = "cases"
 """First letters of the names of operators whose value depends on conditions."""
@@ -33,8 +34,8 @@ def split(claim: Claim) -> Iterator[Claim]:
     elif (node := next(_by_cases(statement), None)) is not None:
         for value, given in _arms(node):
             yield from split(claim.within(*given).with_statement(statement.xreplace({node: value})))
-    elif (normal := next(_normals(claim), None)) is not None:
-        for given in (unlike(normal, 0), equal(normal, 0)):
+    elif (kink := next(_kinks(claim), None)) is not None:
+        for given in (unlike(kink, 0), equal(kink, 0)):
             yield from split(claim.within(given))
     else:
         domain = claim.domain
@@ -68,7 +69,15 @@ def _is_empty(parts: Sequence[Term]) -> bool:
 
 def _gap(relation: Term) -> tuple[Term, ...]:
     a, *rest = relation.arguments
-    return a, *(b for b in rest if b != Number(0))
+    return _base(a), *(b for b in rest if b != Number(0))
+
+
+def _base(part: Term) -> Term:
+    """Return the vector or number that is 0 where a real magnitude is."""
+    inner = part.arguments[0] if part.arguments else part
+    if part.operator is Re and inner.operator.name == "norm":
+        return Re(inner.arguments[0])
+    return inner if part.operator.name == "norm" and not is_dual(inner) else part
 
 
 def affirmed(statement: Term) -> Term:
@@ -109,13 +118,19 @@ def _by_cases(statement: Term) -> Iterator[Term]:
                 yield from _by_cases(part)
 
 
-def _normals(claim: Claim) -> Iterator[Term]:
-    """Yield the normals of lines with a distance, which is another formula if they are 0, unless the domain tells."""
-    known = claim.domain
-    for node in (node for node in walk(claim.statement) if node.operator is distance):
-        normal = cross(*map(Re, node.arguments))
-        if {unlike(normal, 0), equal(normal, 0)}.isdisjoint(known):
-            yield normal
+def _kinks(claim: Claim) -> Iterator[Term]:
+    """Yield terms with another formula where they are 0, unless the domain tells whether they are.
+
+    They are the normal of two lines with a distance, and real parts of letters without which a magnitude is 0.
+    """
+    bent = magnitudes(claim.statement)
+    known = {_gap(part) for part in claim.domain if part.operator.name in ("equal", "unlike", "nonzero")}
+    for node in walk(claim.statement):
+        found = [cross(*map(Re, node.arguments))] if node.operator is distance else []
+        if node in bent:
+            letters = [a for a in symbols(node.arguments[0]) if a.quantity.name in PARTS]
+            found = [Re(a) for a in letters if vanishes_without(node.arguments[0], a)]
+        yield from (kink for kink in found if (kink,) not in known)
 
 
 def _arms(node: Term) -> Iterator[tuple[Term, tuple[Term, ...]]]:

@@ -6,9 +6,11 @@ from typing import Any
 
 from ..language.operator_table import Du, Re, both, cos, epsilon, sin
 from ..language.printed import Apply, Number, Symbol, Term, Trait, distinct, symbols, walk, with_trait
-from ..numbers.kinds import KINDS
+from ..numbers.kinds import BRANCH, KINDS, ORDER, QUANTITIES
 
 RELATIONS = frozenset(("less", "at most", "greater", "at least", "unlike", "equal", "nonzero"))
+WHOLE = (ORDER, BRANCH, QUANTITIES["index"], QUANTITIES["integer"])
+"""Quantities of whole numbers."""
 COMPONENTWISE = frozenset(("vector", "matrix", "block", "entry", "kron", "vec", "zeros"))
 """First words of operators that depend on the frame."""
 
@@ -58,6 +60,41 @@ def conjuncts(domain: Term | None) -> list[Term]:
     if domain is None:
         return []
     return [part for one in domain.arguments for part in conjuncts(one)] if domain.operator is both else [domain]
+
+
+def magnitudes(statement: Term) -> set[Term]:
+    """Return the magnitudes in a statement that are no factors of powers with a slope at 0."""
+    if statement.operator.name == "norm":
+        return {statement, *magnitudes(statement.arguments[0])}
+    parts = [statement.arguments[0]] if _is_smooth_power(statement) else statement.arguments
+    found: set[Term] = set().union(*map(_magnitudes_of_factors if _is_smooth_power(statement) else magnitudes, parts))
+    return found
+
+
+def _magnitudes_of_factors(part: Term) -> set[Term]:
+    if part.operator.name == "norm":
+        return magnitudes(part.arguments[0])
+    is_product = part.operator.name in ("times", "over", "bracket", "negative")
+    found: set[Term] = set().union(*map(_magnitudes_of_factors, part.arguments)) if is_product else magnitudes(part)
+    return found
+
+
+def _is_smooth_power(node: Term) -> bool:
+    """Return whether a term is a power, at least the second, which has a slope where a magnitude in its base is 0."""
+    if node.operator.name != "power":
+        return False
+    exponent = node.arguments[1]
+    return exponent.value >= 2 if isinstance(exponent, Number) else _is_even(exponent)
+
+
+def _is_even(exponent: Term) -> bool:
+    """Return whether an exponent is even by its form, as ``2*k`` and ``4*(m - 1) + 2`` are."""
+    name, arguments = exponent.operator.name, exponent.arguments
+    if isinstance(exponent, Number):
+        return exponent.value % 2 == 0
+    if name == "times":
+        return any(map(_is_even, arguments)) and all(a.quantity in WHOLE for a in symbols(exponent))
+    return name in ("plus", "minus", "negative", "bracket") and all(map(_is_even, arguments))
 
 
 def operators(*statements: Term) -> set[str]:

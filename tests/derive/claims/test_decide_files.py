@@ -91,7 +91,8 @@ CONDITIONS = [
     ("limit(sin(t*x)/(t*x), t, 0) == 1", X, "limit(sin(t*x)/(t*x), t, 0) has a value"),
     ("acos(cos(x)) == -x", X, "-pi <= x and x <= 0"), ("acos(cos(x)) == 2*pi - x", X, "pi <= x and x <= 2*pi"),
     ("sqrt((x - 500)**2) == x - 500", X, "x - 500 >= 0"), ("sqrt(x - 50)**2 == x - 50", X, "x - 50 >= 0"),
-    ("x**(1/2)*x**(1/2) == x", X, "x >= 0"),
+    ("x**(1/2)*x**(1/2) == x", X, "x >= 0"), ("(b**(1/2))**2 == b", {"b": "dual number"}, "re(b) > 0"),
+    ("exp(log(q)) == q", {"q": "unit quaternion"}, "norm(q) + scalar(q) != 0"), ("cos(acos(x)) == x", X, "norm(x) <= 1"),
     ("(a - b)/(a - b) == 1", {"a": "dual number", "b": "dual number"}, "re(a - b) != 0"),
     *((f"({f})/({f}) == 1", letters, f"{f} != 0") for f, letters in MEETING),
     ("atan2(sin(a)*cos(b), cos(a)*cos(b)) == a", {"b": "angle", **A}, "cos(b) > 0 and norm(a) < pi"),
@@ -157,7 +158,7 @@ def test_a_perturbation_may_be_stated_as_zero(domain: str) -> None:
     assert str(judged("exp(skew(d))*w == 2*w", letters, domain).status) == "false"
 
 
-XY, S = {"x": "real", "y": "real"}, {"s": "positive"}
+XY, S, B = {"x": "real", "y": "real"}, {"s": "positive"}, {"b": "dual number"}
 TRAPS = [
     ("1 + 1/(10**12*(25 - 8*x)) >= 0", X, "x >= 0 and 8*x != 25"),  # a pole on the way
     ("x**3/3 + ((y - 5/7)**2 - 43/10)*x + 5.944446 > 0", XY, "x >= 0 and x**2 + (y - 5/7)**2 >= 43/10"),  # a gap
@@ -170,6 +171,15 @@ TRAPS = [
     ("rate(sqrt(x**2))*x == sqrt(x**2)*rate(x)", X, ""),
     ("((x - 2 - sqrt((x - 3)**2))**2 + (8*y - 25)**4)/((x - 2 - sqrt((x - 3)**2))**2 + (8*y - 25)**4) == 1", XY, ""),
     ("norm(rotation_of(q - r + 7)*v) == norm(v)", {"q": "quaternion", "r": "quaternion", **V}, ""),
+    ("norm(v) == 0", {"n": "order", **V, **XY}, "v == 0 or (y == 0 and n == 7)"),  # parts of a domain that seem empty
+    ("norm(v) == 0", {"s": "sign", **V, **XY}, "v == 0 or (y == 0 and s != 1 and x > 30)"),
+    ("norm(v)*x == 0", {**V, **XY}, "v == 0 or (y == 0 and sqrt(x**2) != x and x < -40)"),
+    ("norm(v)*m == 0", {"m": "integer", **V, **XY}, "v == 0 or (y == 0 and (-1)**m == -1 and m > 300)"),
+    ("norm(b - 3) == b - 3", B, ""), ("norm(b - 3) == b - 3", B, "re(b) >= 3"),  # magnitudes without real part
+    ("norm(c*c + b) == c*c + b", {**B, "c": "dual number"}, "re(b) >= 0"),
+    ("norm(u*sin(t)) == sin(t)", {"u": "unit dual vector", "t": "dual angle"}, "0 <= re(t) and re(t) <= pi"),
+    ("norm((b - 3)*d) == (b - 3)*norm(d)", {**B, "d": "dual vector"}, "re(b) >= 3"),
+    ("y*log(exp(v)) == y*v", {**V, **XY}, "norm(v) <= pi and y > 3"),  # half turns
 ]  # fmt: skip
 """Claims that are false, or without value, at places that neither points nor generic values reach."""
 TRUE_BEYOND_THEIR_POINTS = [
