@@ -10,7 +10,7 @@ from ...algebra import Quaternion, Structure, Tensor
 from ...algebra.matrix import Matrix
 from ..language.calculus import BINDERS
 from ..language.environment import Env
-from ..language.matrices import at_least, at_most, greater, unlike
+from ..language.matrices import at_least, at_most, greater, less, unlike
 from ..language.operations import written
 from ..language.operator_table import Re, cos, det, equal, nonzero, norm, over, quaternion_scalar, sin, trace
 from ..language.printed import Number, Term, Trait, symbols
@@ -37,7 +37,7 @@ class Exclusion:
         sign, _, number = self.relation.partition(" ")
         if sign == "has":
             return equal(self.subject, self.subject)
-        relation = {"!=": unlike, ">=": at_least, ">": greater, "<=": at_most}.get(sign)
+        relation = {"!=": unlike, ">=": at_least, ">": greater, "<": less, "<=": at_most}.get(sign)
         subject = Re(self.subject) if is_dual(self.subject) else self.subject
         return None if relation is None else relation(subject, Number(int(number)))
 
@@ -130,8 +130,8 @@ def exclusions(claim: Claim, places: Sequence[Place]) -> dict[Exclusion, Place]:
                 continue
         if requirement is not None:
             found.setdefault(requirement, place)
-    return {one: place for one, place in found.items()
-            if one.relation != ">= 0" or replace(one, relation="> 0") not in found}  # fmt: skip
+    weaker = {replace(one, relation=f"{one.relation[0]}={one.relation[1:]}") for one in found if one.relation[1] == " "}
+    return {one: place for one, place in found.items() if one not in weaker}
 
 
 def plain(probe: Probe, requirement: Exclusion) -> str:

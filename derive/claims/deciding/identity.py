@@ -246,9 +246,13 @@ def with_free_product(claim: Claim, *further: Term) -> tuple[Claim, tuple[Term, 
     letter = Symbol(PRODUCT, ROTATION, PRODUCT, PRODUCT)
     a, b = node.arguments
     opposite = b.arguments[0] * inverse(a) if isinstance(a, Symbol) else inverse(b) * a.arguments[0]
-    shown = [part.xreplace({node: letter, opposite: inverse(letter)}).xreplace({moved: product})
-             for part in (claim.statement, *further)]  # fmt: skip
-    return claim.with_statement(shown[0]), tuple(shown[1:])
+
+    def shown(part: Term) -> Term:
+        found: Term = part.xreplace({node: letter, opposite: inverse(letter)}).xreplace({moved: product})
+        return found
+
+    domain = None if claim.entry.claimed is None else shown(claim.entry.claimed)
+    return claim.on(domain).with_statement(shown(claim.statement)), tuple(map(shown, further))
 
 
 def _product_of_rotations(node: Term) -> tuple[Term, Symbol, Term] | None:

@@ -85,7 +85,10 @@ class Signs:
                 self.apart.append(self.number(part.arguments[0]))
             elif name in STRICT:
                 number = self.field.element(not_negative(self.env, part))
+                lesser, greater = arguments if name in ("less", "at most") else arguments[::-1]
                 found = [number, *self._squared(number)]
+                if lesser.operator.name == "norm" and isinstance(greater, Number):
+                    found.append(self.number(greater**2 - lesser**2))
                 self.field.assumed += found
                 for one in found if STRICT[name] else ():
                     self._keep_from_0(one)
