@@ -36,7 +36,7 @@ ORDER = 3
 KINDS = {(row.arguments, row.result): name for name, row in SIGNATURES.items() if not name.startswith("dcay")}
 """Sample of functions, one for each kind of arguments and result: a loop over columns takes seconds to compile."""
 REGIMES = ("uniform", "shadow", "pure translation", "below pi", "coordinate axes")
-"""Regimes on both sides of each selection: test_sign_flips.py shows that an error in any operation is seen in them."""
+"""Regimes on both sides of each selection."""
 
 
 @pytest.fixture

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
 from contextlib import suppress
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from itertools import chain, islice
 
 from ...algebra.element import NotExactError
@@ -29,7 +29,7 @@ from .ordering import ordered
 from .place import Place
 from .places import Probe
 from .proof import proved, proved_at_orders
-from .regions import REGION_MIN, Region, branched, region
+from .regions import Outcome, Region, branched, region
 from .singular import ORDERED
 from .split import split
 from .terms import operators
@@ -48,38 +48,6 @@ WORDS: dict[type[Exception], str] = {
 """Reasons why a claim has no value at all."""
 POINTS_MIN = 6
 """Least number of points at which a claim is called true."""
-
-
-@dataclass
-class Outcome:
-    """Points at which a claim is true, is false, has no value, or that did not tell."""
-
-    true: list[Place] = field(default_factory=list)
-    false: list[Place] = field(default_factory=list)
-    undefined: list[Place] = field(default_factory=list)
-    blurred: list[Place] = field(default_factory=list)
-
-    @property
-    def points(self) -> int:
-        return len(self.true) + len(self.false) + len(self.undefined)
-
-    @property
-    def open(self) -> bool:
-        """Whether the claim is true at points drawn at random, so in a region and not in special places only."""
-        return sum(place.generic for place in self.true) >= REGION_MIN
-
-    def add(self, truth: bool | None, place: Place) -> None:
-        (self.undefined if truth is None else self.true if truth else self.false).append(place)
-
-    def tried(self, claim: Claim, found: Iterable[Place], enough: Callable[[Outcome], bool]) -> Outcome:
-        for place in found:
-            try:
-                self.add(claim.truth(place), place)
-            except BlurredError:
-                self.blurred.append(place)
-            if enough(self):
-                break
-        return self
 
 
 @dataclass(frozen=True)

@@ -129,12 +129,13 @@ class Probe:
                 continue
 
     def _has_kinds(self, place: Place) -> bool:
-        """Return whether no letter is 0 whose kind leaves 0 out, and each branch is less than the order."""
+        """Return whether letters have values of their kinds, and each branch is less than the order."""
         counts: Mapping[Symbol, Any] = place.at
         orders, branches = ([counts[a] for a in self.claim.letters if a.quantity is row] for row in (ORDER, BRANCH))
-        letters = (a for a in self.claim.coordinates if kind(a).invertible)
-        return all(0 <= k < n for n in orders for k in branches) and not any(
-            arb(c).contains(0) for a in letters for c in place.at[a])
+        rows = [(kind(a), place.at[a]) for a in self.claim.coordinates]
+        absent = any(row.invertible and arb(c).contains(0) for row, numbers in rows for c in numbers)
+        below = any(row.spread == "positive" and c <= 0 for row, numbers in rows for c in numbers)
+        return all(0 <= k < n for n in orders for k in branches) and not absent and not below
 
     def _projected(self, place: Place) -> Iterator[Place]:
         """Yield the points on the equations of the domain near a point and near the opposite one."""
@@ -272,7 +273,7 @@ class Probe:
         found: Place | None = None
         for start in (Place("", self.drawn(low, high)) for low, high in ((0.5, 1.5), (1, 5))):
             if len(ends) < 2 and found is None:
-                found = self._allowed(touching(claim, start, part.part, part.size))
+                found = touching(claim, start, part.part, part.size)
                 with suppress(*ABSENT):
                     if found is not None and part.number(claim, start) * part.number(claim, found) < 0:
                         yield replace(found, label=f"beyond {shown}")
@@ -281,11 +282,6 @@ class Probe:
             found = crossed(claim, part, ends[False], ends[True])
         if found is not None:
             yield replace(found, label=shown, on=shown)
-
-    def _allowed(self, place: Place | None) -> Place | None:
-        """Return a point unless a coordinate of a positive letter is not."""
-        positive = [a for a in self.claim.coordinates if kind(a).spread == "positive"]
-        return None if place is None or any(c <= 0 for a in positive for c in place.at[a]) else place
 
     def roots_along(self, part: Term, letter: Symbol) -> tuple[str, list[float], Callable[[float], bool]] | None:
         """Return the name of a letter's value, those at which a part vanishes on all lines, and whether one is such."""

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import partial
 from itertools import combinations, product
@@ -29,6 +29,38 @@ Read = Callable[[Term, Place], Any]
 """Function that returns the number of a part at a point, or None."""
 Test = Callable[[Place], bool | None]
 """Function that tells whether a condition holds at a point; None on its border or where it has no value."""
+
+
+@dataclass
+class Outcome:
+    """Points at which a claim is true, is false, has no value, or that did not tell."""
+
+    true: list[Place] = field(default_factory=list)
+    false: list[Place] = field(default_factory=list)
+    undefined: list[Place] = field(default_factory=list)
+    blurred: list[Place] = field(default_factory=list)
+
+    @property
+    def points(self) -> int:
+        return len(self.true) + len(self.false) + len(self.undefined)
+
+    @property
+    def open(self) -> bool:
+        """Whether the claim is true at points drawn at random, so in a region and not in special places only."""
+        return sum(place.generic for place in self.true) >= REGION_MIN
+
+    def add(self, truth: bool | None, place: Place) -> None:
+        (self.undefined if truth is None else self.true if truth else self.false).append(place)
+
+    def tried(self, claim: Claim, found: Iterable[Place], enough: Callable[[Outcome], bool]) -> Outcome:
+        for place in found:
+            try:
+                self.add(claim.truth(place), place)
+            except BlurredError:
+                self.blurred.append(place)
+            if enough(self):
+                break
+        return self
 
 
 @dataclass(frozen=True)
