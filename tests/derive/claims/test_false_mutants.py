@@ -38,7 +38,7 @@ def mutants(entries: Sequence[Entry], count: int) -> Iterator[Claim]:
 def is_false(claim: Claim) -> bool:
     """Return whether a claim is certainly false at one of a few points of its domain."""
     for place in islice(Probe(claim).quick(), POINTS):
-        with suppress(BlurredError, ArithmeticError, TypeError, AttributeError, ValueError, IndexError):
+        with suppress(BlurredError, ArithmeticError, TypeError, AttributeError, ValueError, LookupError):
             if claim.truth(place) is False:
                 return True
     return False
