@@ -137,7 +137,7 @@ def _coordinates(
             at[letter] = values[:size]
             if further:
                 parts[letter] = values[size:]
-        return replace(place, at=at, parts=parts)
+        return replace(place, at=at, parts=parts, on="", zero=None, known={})
 
     return lambda: [arb(c).mid() for row in start for c in row], moved
 

@@ -79,7 +79,7 @@ def _has_value(signs: Signs, part: Term, asked: str) -> bool:
             return signs.is_nonzero(signs.number(part))
         if apart:
             number = signs.number(part)
-            return signs.is_nonzero(number) or (asked == "magnitude" and signs.field.same(number, 0))
+            return signs.is_nonzero(number) or (asked == "magnitude" and not number)  # as fields take magnitudes
         if isinstance(value, Quaternion) and any(value.vector):
             return signs.is_positive(signs.number(part, lambda h: innermost(h.scalar)), strict=True)
         number = signs.number(part, lambda a: innermost(a.scalar if isinstance(a, Quaternion) else a))

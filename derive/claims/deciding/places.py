@@ -124,7 +124,7 @@ class Probe:
                 if self.claim.inside(place) and (not moving or any(is_on(aim, place) for aim in moving)):
                     yield place
                 elif self.claim.aims:
-                    yield from islice(filter(self.claim.inside, self._projected(place)), 1)
+                    yield from islice(filter(self.claim.inside, filter(self._has_kinds, self._projected(place))), 1)
             except BlurredError:
                 continue
 

@@ -181,6 +181,9 @@ TRAPS = [
     ("norm(u*sin(t)) == sin(t)", {"u": "unit dual vector", "t": "dual angle"}, "0 <= re(t) and re(t) <= pi"),
     ("norm((b - 3)*d) == (b - 3)*norm(d)", {**B, "d": "dual vector"}, "re(b) >= 3"),
     ("y*log(exp(v)) == y*v", {**V, **XY}, "norm(v) <= pi and y > 3"),  # half turns
+    ("norm(a) == a", {"a": "dual number", **B}, "a == b - 3 and re(b) >= 3"),  # real parts that an equation makes 0
+    ("norm(d) == b", {**B, "d": "dual vector", "u": "unit dual vector"}, "d == b*u and re(b) >= 0"),
+    ("norm(b) == sin(t)", {**B, "t": "dual angle"}, "b == sin(t) and 0 <= re(t) and re(t) <= pi"),
 ]  # fmt: skip
 """Claims that are false, or without value, at places that neither points nor generic values reach."""
 TRUE_BEYOND_THEIR_POINTS = [
@@ -201,6 +204,20 @@ def test_no_proof_passes_over_a_place_that_it_leaves_out(text: str, letters: dic
 @pytest.mark.parametrize(("text", "letters"), TRUE_BEYOND_THEIR_POINTS, ids=str)
 def test_what_is_true_is_not_refuted_by_one_sign_or_few_terms(text: str, letters: dict[str, str]) -> None:
     assert str(judged(text, letters).status) != "false"
+
+
+TRUE_ON_EQUATIONS = [
+    ("norm(v) < 2", V, "norm(v) == 1"), ("floor(x) == 2", X, "x == 5/2"),  # what is known of a point that moves
+    ("floor(x) + floor(y) == 2", XY, "x == 1 and y == 1"), ("norm(v) > 7/10", V, "norm(v) == 1"),
+    ("norm(x) == x", {**X, **S}, "x == s"), ("sqrt(s**2) == s", {**X, **S}, "x == s"),  # positive letters that move
+    ("x <= 1", {**X, **S}, "x + s == 1"), ("norm(s) == s", {**X, **S}, "s + x == 0"),
+]  # fmt: skip
+"""True claims on the equations of a domain."""
+
+
+@pytest.mark.parametrize(("text", "letters", "domain"), TRUE_ON_EQUATIONS, ids=str)
+def test_what_is_true_on_equations_is_not_refuted(text: str, letters: dict[str, str], domain: str) -> None:
+    assert str(judged(text, letters, domain).status) != "false"
 
 
 @pytest.mark.parametrize(("text", "letters", "condition"), CONDITIONS, ids=str)
