@@ -34,21 +34,16 @@ REACHED, WIDTH = 300, 190
 """Exponents of 2 of the largest difference of both sides in the end, and of the width of the coordinates."""
 APPROACH_MAX = 48
 """Largest number of steps towards a zero of a number of one sign."""
+Gaps = Callable[[Sequence[Any]], list[Any]]
+Moved = Callable[[Sequence[Any]], Place]
+"""Functions of coordinates that return differences of equations, and the point."""
 
 
 def onto(claim: Claim, place: Place) -> Place | None:
     """Return a nearby point at which the equations of the stated domain hold, or None."""
-    real = claim.of_number(reduce(both, claim.constraints))
-    sides = (side for part in claim.constraints for side in part.arguments)
-    further = not real.flat or bool(claim.depth) or any(map(is_dual, sides))
-    evaluated = claim if further else real
-    start, moved = _coordinates(claim, place, claim.constraints, further)
+    start, left, moved = _equations(claim, place)
     if not start():
         return None  # orders alone, which do not move
-
-    def left(x: Sequence[Any]) -> list[Any]:
-        return [arb(c).mid() for c in gaps(evaluated.env(moved(x)), claim.constraints)]
-
     with precision(BITS):
         try:
             x = _solved(left, start())
@@ -57,18 +52,53 @@ def onto(claim: Claim, place: Place) -> Place | None:
         if x is None:
             return None
         found = moved(_wide(x))
-        return found if found.exact or _is_regular(left, x) else None
+        return found if (found.exact and not claim.depth) or _is_regular(left, x) else None
+
+
+def _equations(claim: Claim, place: Place) -> tuple[Callable[[], list[Any]], Gaps, Moved]:
+    """Return the coordinates of a point, the differences of the equations of the domain, and the points by theirs."""
+    real = claim.of_number(reduce(both, claim.constraints))
+    sides = (side for part in claim.constraints for side in part.arguments)
+    further = not real.flat or bool(claim.depth) or any(map(is_dual, sides))
+    evaluated = claim if further else real
+    start, moved = _coordinates(claim, place, claim.constraints, further)
+
+    def left(x: Sequence[Any]) -> list[Any]:
+        return [arb(c).mid() for c in gaps(evaluated.env(moved(x)), claim.constraints)]
+
+    return start, left, moved
 
 
 def is_on(claim: Claim, place: Place) -> bool:
-    """Return whether the equations of the stated domain hold at a point, and for its dual parts and rates."""
-    return all(arb(c).contains(0) for c in gaps(claim.env(place), claim.constraints))
+    """Return whether a point and its rates are on a path along which the equations of the stated domain hold."""
+    if not all(arb(c).contains(0) for c in gaps(claim.env(place), claim.constraints)):
+        return False
+    start, left, _ = _equations(claim, place)
+    with precision(BITS):
+        return _is_regular(left, start())
 
 
 def _is_regular(left: Any, x: list[Any]) -> bool:
-    """Return whether each difference has a slope at a point, so that small differences show a zero beside it."""
-    rows = _slopes(left, x, left([Ball(c) for c in x]))
-    return all(any(abs(slope) > flint.arb(2) ** -KEPT for slope in column) for column in zip(*rows, strict=True))
+    """Return whether as many differences change independently at a point as do beside it.
+
+    Then the solutions are smooth there: small differences show a zero beside the point, and each rate that the
+    equations allow is that of a path. At the only solution of ``x**2 == 0`` none changes.
+    """
+    beside = [c + flint.arb(i + 2).sqrt().mid() / 64 for i, c in enumerate(x)]
+    here, there = (_rank(_slopes(left, at, left([Ball(c) for c in at]))) for at in (x, beside))
+    return here >= there
+
+
+def _rank(rows: list[list[Any]]) -> int:
+    """Return the rank of a matrix, by elimination with the largest entries."""
+    rank, rows = 0, [list(row) for row in rows]
+    while rows:
+        size, i, k = max((abs(c), i, k) for i, row in enumerate(rows) for k, c in enumerate(row))
+        if not size > flint.arb(2) ** -KEPT:
+            break
+        pivot, rank = rows.pop(i), rank + 1
+        rows = [[(c - row[k] / pivot[k] * p).mid() for c, p in zip(row, pivot, strict=True)] for row in rows]
+    return rank
 
 
 def touching(claim: Claim, place: Place, part: Term, size: Callable[[Any], Any]) -> Place | None:
@@ -123,7 +153,7 @@ def _approached(value: Any, gradient: Any, x: list[Any]) -> tuple[list[Any] | No
 
 def _coordinates(
     claim: Claim, place: Place, parts: Sequence[Term], further: bool = True
-) -> tuple[Callable[[], list[Any]], Callable[[Sequence[Any]], Place]]:
+) -> tuple[Callable[[], list[Any]], Moved]:
     """Return the coordinates of the letters in some parts, and the function that moves the point to other ones."""
     used = {a for part in parts for a in symbols(part)}
     letters = [a for a in claim.coordinates if a in used and (further or kind(a).spread != "integer")]

@@ -32,12 +32,14 @@ from .proof import proved, proved_at_orders
 from .regions import Outcome, Region, branched, region
 from .singular import ORDERED
 from .split import split
-from .terms import operators
+from .terms import RELATIONS, operators
 
 JUMPS = frozenset(("atan2 of two", "arctan", "acos", "asin", "log"))
 """Operators that choose a branch, so that an identity at generic values may be false at special ones."""
 DIGITS_TRIED = 4
 """Number of points at which an equality without a proof is tried with more digits."""
+CONFIRMING = 4
+"""Number of points without a value that confirm a condition by divisors."""
 SHOWN = 3
 """Largest number of parts without a proof that are named."""
 WORDS: dict[type[Exception], str] = {
@@ -46,6 +48,8 @@ WORDS: dict[type[Exception], str] = {
                     "an operation has no meaning for the values of its arguments"),
 }  # fmt: skip
 """Reasons why a claim has no value at all."""
+OPEN_RELATIONS = RELATIONS - {"equal"}
+"""Relations that are true in regions."""
 POINTS_MIN = 6
 """Least number of points at which a claim is called true."""
 
@@ -244,8 +248,11 @@ def _stated(claim: Claim, early: Callable[[Finding], None]) -> Finding:
     if condition is None or not finding.holds:
         return finding
     other = claim.within(negated(condition))
-    probe = Probe(other, condition)
-    beyond = Outcome().tried(other, chain(probe.first(), probe.zeros()), lambda outcome: False)
+    alone = [negated(claim.statement)] if operators(condition).isdisjoint(OPEN_RELATIONS) else []
+    probe = Probe(other, condition, *alone)  # a further solution shows that a condition by equations is too narrow
+    few = is_sharp(condition, claim.statement)  # outside it has no value by its form, which a few points confirm
+    outside = chain(probe.first(), probe.zeros())
+    beyond = Outcome().tried(other, outside, lambda found: few and len(found.undefined) >= CONFIRMING)
     if not (beyond.points or beyond.blurred):
         return Finding(Status.UNDECIDED, "no point outside its condition")
     if wrong := contradicted(claim, beyond):

@@ -6,7 +6,6 @@ All other vectors turn with R, so that a claim is true for each R if it is true 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
 from enum import Enum, auto
 
 from ..language.matrices import distance
@@ -36,8 +35,7 @@ def with_frames_at_rest(claim: Claim, *further: Term) -> tuple[Claim, tuple[Term
         if fixed and frame.quantity.name.endswith(("rotation", "orthogonal tensor")) and _all_turn(frame, parts):
             axes = {node: node.arguments[1] for part in parts for node in walk(part) if _is_axis(node, frame)}
             claimed = None if claim.entry.claimed is None else claim.entry.claimed.xreplace(axes)
-            entry = replace(claim.entry, claimed=claimed, condition=None)
-            claim = replace(claim, entry=entry, statement=claim.statement.xreplace(axes))
+            claim = claim.on(claimed).with_statement(claim.statement.xreplace(axes))
             further = tuple(part.xreplace(axes) for part in further)
     return claim, further
 

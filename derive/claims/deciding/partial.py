@@ -11,7 +11,7 @@ from ..language.matrices import zeros
 from ..language.operator_table import Re, cos, det, infinity, sin
 from ..language.printed import Number, Symbol, Term, symbols, walk
 from ..numbers.kinds import BRANCH, ORDER
-from .terms import is_dual, magnitudes
+from .terms import magnitudes
 
 ROOTS = tuple(Number(k) / Number(2) for k in (1, 3, 5))
 """Exponents of powers that have a value at 0."""
@@ -96,9 +96,6 @@ def partial_operations(
     At 0 a magnitude or root has no slope, nor has an arc sine at 1. Nothing is asked of the series and limits that are
     `given` to have a value.
     """
-    def sharp(part: Term) -> bool:
-        return has_slope(part) or is_dual(part)
-
     indices, bent = _indices(statement), magnitudes(statement)
     for node in _evaluated_nodes(statement):
         name, arguments = node.operator.name, node.arguments
@@ -109,13 +106,13 @@ def partial_operations(
             if exponent not in ROOTS:
                 yield arguments[0], "not 0"
             if exponent.operator.name in ("over", "negative", "bracket"):
-                yield arguments[0], "logarithm" if sharp(arguments[0]) else "not negative"
+                yield arguments[0], "logarithm" if has_slope(arguments[0]) else "not negative"
         elif name in ("inverse", "rotation of quaternion"):
             yield arguments[0], "not 0"
         elif name == "norm" and has_slope(arguments[0] if node in bent else Re(arguments[0])):
             yield arguments[0], "not 0" if has_slope(Re(arguments[0])) else "magnitude"  # ε y has one, ε |y|
         elif name == "root":
-            yield arguments[0], "logarithm" if sharp(arguments[0]) else "not negative"
+            yield arguments[0], "logarithm" if has_slope(arguments[0]) else "not negative"
         elif name in EXPANDED and node not in given:
             point = None if infinity in arguments else _point(node)
             for part, asked in partial_operations(arguments[0], has_slope):
@@ -124,7 +121,7 @@ def partial_operations(
         elif name == "log":
             yield arguments[0], "logarithm"
         elif name in ("acos", "asin"):
-            yield arguments[0], "inside 1" if sharp(arguments[0]) else "within 1"
+            yield arguments[0], "inside 1" if has_slope(arguments[0]) else "within 1"
         elif name in ("tan", "cot"):
             yield (cos if name == "tan" else sin)(*arguments), "not 0"
         elif name == "atan2 of two":

@@ -20,11 +20,11 @@ from ...algebra.element import NotExactError
 from ...algebra.first_principles import tensor_by_sandwich
 from ...algebra.matrix import shaped
 from ..language.matrices import entry, stacked
-from ..language.operator_table import Re, norm
 from ..language.printed import Number, Symbol, Term, symbols
 from ..numbers.generators import Generators
 from ..numbers.kinds import KINDS, ORDER, jet, sphere
 from ..numbers.signed import Bound
+from .terms import whole
 
 POSITIVE = (sympy.Integer(0), sympy.oo)
 HALF_TURN = (sympy.Integer(0), sympy.pi)
@@ -163,7 +163,8 @@ class Polar:
         quotients = ((key.partition("/"), ends) for key, ends in bounds.items() if "/" in key)
         self.field.ratios = {((f"{a}.0", 1), (f"{n}.0", -1)): ends for (a, _, n), ends in quotients}
         self.field.endless = {f"{a.name}.A" for a, form in self.forms.items() if form is TANGENT}
-        self.field.endless |= {name for name in self.field.limits - shut if name.endswith(".X")}  # their end is 0
+        # a length reaches 0, not its upper end
+        self.field.endless |= {name for name in self.field.limits - shut if name.endswith(".X")}
         self.values = {a: self._value(a, list(stems[a])) for a in letters}
         self.values |= {a: self.field.symbol(f"{a.name}.0") for a in counts}
 
@@ -214,7 +215,7 @@ def _bound(part: Term) -> Iterator[tuple[str, Bound, Bound]]:
     below = name in ("less", "at most")
     a, b = part.arguments
     for inner, outer, is_upper in ((a, b, below), (b, a, not below)):
-        (over, rest), inner = _order(outer), _whole(inner)
+        (over, rest), inner = _order(outer), whole(inner)
         end, is_length = _constant(rest), inner.operator.name == "norm"
         subject = _of_length(inner.arguments[0]) if is_length else inner
         if end is not None and isinstance(subject, Symbol):
@@ -229,14 +230,6 @@ def _order(term: Term) -> tuple[str, Term]:
         if isinstance(a, Symbol) and a.quantity is ORDER:
             return f"/{a.name}", b
     return "", term
-
-
-def _whole(side: Term) -> Term:
-    """Return a side without the operator for the real part, about which an order relation is."""
-    name, arguments = side.operator.name, side.arguments
-    if name == "norm":
-        return norm(_whole(arguments[0]))
-    return _whole(arguments[0]) if side.operator is Re else side
 
 
 def _of_length(subject: Term) -> Term:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import replace
 from functools import reduce
 
 from ..language.matrices import unlike, zeros
@@ -12,7 +11,7 @@ from ..language.operator_table import Du, Re, both, dot, dyad, epsilon, equal, i
 from ..language.printed import Number, Symbol, Term, symbols
 from ..numbers.kinds import KINDS
 from .claim import Claim, kind
-from .terms import conjuncts
+from .terms import conjuncts, whole
 
 PARTS = {
     "dual number": "real", "angle": "real angle", "dual vector": "real vector", "tensor": "tensor 3x3",
@@ -31,15 +30,13 @@ def with_solved_equations(claim: Claim, *further: Term) -> tuple[Claim, tuple[Te
     for part in domain:
         if (values := next(_solutions(claim, part), None)) is not None:
             rest = [one.xreplace(values) for one in domain if one is not part]
-            entry = replace(claim.entry, claimed=reduce(both, rest) if rest else None)
-            solved = replace(claim, entry=entry, statement=claim.statement.xreplace(values))
+            solved = claim.on(reduce(both, rest) if rest else None).with_statement(claim.statement.xreplace(values))
             return with_solved_equations(solved, *(one.xreplace(values) for one in further))
     parts = {part(a): _part(part, a) for a in claim.coordinates if a.quantity.name in PARTS for part in (Re, Du)}
     taken = {a for part in (claim.statement, *domain, *further) for a in symbols(part.xreplace(parts))}
     parts = {part: letter for part, letter in parts.items() if part.arguments[0] not in taken}
-    entry = replace(claim.entry, claimed=reduce(both, [one.xreplace(parts) for one in domain]) if domain else None)
-    apart = replace(claim, entry=entry, statement=claim.statement.xreplace(parts))
-    return apart, tuple(one.xreplace(parts) for one in further)
+    apart = claim.on(reduce(both, [one.xreplace(parts) for one in domain]) if domain else None)
+    return apart.with_statement(claim.statement.xreplace(parts)), tuple(one.xreplace(parts) for one in further)
 
 
 def _solutions(claim: Claim, part: Term) -> Iterator[Mapping[Term, Term]]:
@@ -81,13 +78,9 @@ def symmetric(premise: Term) -> list[Term]:
 
 def _rotated(side: Term, operator: Callable[[Term], Term]) -> Term:
     """Return the letter of a rotation of which, or of whose real part, a side is a function; else the side."""
-    inner = _whole(side)
-    letter = _whole(inner.arguments[0]) if inner.operator is operator else side
+    inner = whole(side)
+    letter = whole(inner.arguments[0]) if inner.operator is operator else side
     return letter if isinstance(letter, Symbol) and letter.quantity.name in ("rotation", "orthogonal tensor") else side
-
-
-def _whole(side: Term) -> Term:
-    return _whole(side.arguments[0]) if side.operator is Re else side
 
 
 def _rotations(letter: Symbol) -> Iterator[tuple[Term, Mapping[Term, Term]]]:

@@ -11,6 +11,8 @@ from ..numbers.kinds import BRANCH, KINDS, ORDER, QUANTITIES
 RELATIONS = frozenset(("less", "at most", "greater", "at least", "unlike", "equal", "nonzero"))
 WHOLE = (ORDER, BRANCH, QUANTITIES["index"], QUANTITIES["integer"])
 """Quantities of whole numbers."""
+SUMS = ("plus", "minus", "negative", "bracket")
+"""Operators of sums."""
 COMPONENTWISE = frozenset(("vector", "matrix", "block", "entry", "kron", "vec", "zeros"))
 """First words of operators that depend on the frame."""
 
@@ -48,6 +50,13 @@ def is_dual(side: Term) -> bool:
     if not isinstance(side, Symbol):
         return side.operator not in (Re, Du) and any(map(is_dual, side.arguments))
     return side == epsilon or (side.quantity.name in KINDS and KINDS[side.quantity.name].dual)
+
+
+def whole(side: Term) -> Term:
+    """Return a side, or the magnitude of one, without the operators for its real part."""
+    if side.operator.name == "norm":
+        return side.operator(whole(side.arguments[0]))
+    return whole(side.arguments[0]) if side.operator is Re else side
 
 
 def is_frame_free(*statements: Term) -> bool:
@@ -93,8 +102,15 @@ def _is_even(exponent: Term) -> bool:
     if isinstance(exponent, Number):
         return exponent.value % 2 == 0
     if name == "times":
-        return any(map(_is_even, arguments)) and all(a.quantity in WHOLE for a in symbols(exponent))
-    return name in ("plus", "minus", "negative", "bracket") and all(map(_is_even, arguments))
+        return any(map(_is_even, arguments)) and all(map(_is_whole, arguments))
+    return name in SUMS and all(map(_is_even, arguments))
+
+
+def _is_whole(term: Term) -> bool:
+    """Return whether a term is a whole number by its form, of sums and products."""
+    if isinstance(term, Number | Symbol):
+        return term.value.denominator == 1 if isinstance(term, Number) else term.quantity in WHOLE
+    return term.operator.name in (*SUMS, "times") and all(map(_is_whole, term.arguments))
 
 
 def operators(*statements: Term) -> set[str]:

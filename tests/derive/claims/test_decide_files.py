@@ -209,8 +209,11 @@ def test_what_is_true_is_not_refuted_by_one_sign_or_few_terms(text: str, letters
 TRUE_ON_EQUATIONS = [
     ("norm(v) < 2", V, "norm(v) == 1"), ("floor(x) == 2", X, "x == 5/2"),  # what is known of a point that moves
     ("floor(x) + floor(y) == 2", XY, "x == 1 and y == 1"), ("norm(v) > 7/10", V, "norm(v) == 1"),
+    ("norm(0 + d) == 0 and du(norm(d)) >= 0", {"d": "dual vector"}, "re(d) == 0"),  # a quaternion and a vector
     ("norm(x) == x", {**X, **S}, "x == s"), ("sqrt(s**2) == s", {**X, **S}, "x == s"),  # positive letters that move
     ("x <= 1", {**X, **S}, "x + s == 1"), ("norm(s) == s", {**X, **S}, "s + x == 0"),
+    ("rate(x) == 0", X, "x**2 == 0"), ("rate(x) == 0", XY, "x**2 + y == 0 and y == 0"),  # no rate allowed by slopes
+    ("rate(v) == 0*v", V, "norm(v)**2 == 0"), ("rate(R) == 0*R", R, "trace(R) == 3"),
 ]  # fmt: skip
 """True claims on the equations of a domain."""
 

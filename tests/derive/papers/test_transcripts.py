@@ -80,6 +80,21 @@ def test_transcript_of_a_user_is_decided_without_registration(tmp_path: Path) ->
     assert "(4) is false" in shown.stdout
 
 
+@pytest.mark.parametrize(
+    ("claim", "narrow", "right"),
+    [("(x - 1)*(x - 7/3) == 0", "x == 1", "x == 1 or x == 7/3"), ("x**2 == 4", "x == 2", "x == 2 or x == -2"),
+     ("sin(x) == 0 and x**2 < 10", "x == 0", "x == 0 or x == pi or x == -pi")],
+)  # fmt: skip
+def test_equation_as_condition_names_all_solutions(claim: str, narrow: str, right: str) -> None:
+    text = '''[paper]\nconditions = "stated"\n[letters]\nx = "real"
+[[equation]]\nnumber = "1"\nclaim = "{}"\ncondition = "{}"'''
+    (entry,) = sheet(text.format(claim, right), "right.toml").entries()
+    assert decide("right", entry).status in (Status.HOLDS_IF, Status.UNREFUTED)
+    (entry,) = sheet(text.format(claim, narrow), "narrow.toml").entries()
+    with pytest.raises(UndecidedError, match="true outside its condition"):
+        decide("narrow", entry)
+
+
 @pytest.mark.parametrize("relation", ["r + x == 2*x", "not r == x + 1"])
 def test_named_relation_is_as_exact_as_its_definition(relation: str) -> None:
     text = f'''[paper]\nconditions = "stated"\n[letters]\nx = "real"\n[definitions]\n"named(r)" = "{relation}"
