@@ -16,7 +16,7 @@ import flint
 
 from ..language.environment import Env
 from ..language.operator_table import both
-from ..language.printed import Term, Trait, symbols
+from ..language.printed import Term, Trait, rate_depth, symbols
 from ..language.values import add, coefficients
 from ..numbers.balls import Ball, BlurredError, arb, precision
 from ..numbers.kinds import Numbers
@@ -34,16 +34,23 @@ REACHED, WIDTH = 300, 190
 """Exponents of 2 of the largest difference of both sides in the end, and of the width of the coordinates."""
 APPROACH_MAX = 48
 """Largest number of steps towards a zero of a number of one sign."""
-Gaps = Callable[[Sequence[Any]], list[Any]]
 Moved = Callable[[Sequence[Any]], Place]
-"""Functions of coordinates that return differences of equations, and the point."""
+"""Function that returns the point at some coordinates."""
 
 
 def onto(claim: Claim, place: Place) -> Place | None:
     """Return a nearby point at which the equations of the stated domain hold, or None."""
-    start, left, moved = _equations(claim, place)
+    real = claim.of_number(reduce(both, claim.constraints))
+    sides = (side for part in claim.constraints for side in part.arguments)
+    further = not real.flat or bool(claim.depth) or any(map(is_dual, sides))
+    evaluated = claim if further else real
+    start, moved = _coordinates(claim, place, claim.constraints, further)
     if not start():
         return None  # orders alone, which do not move
+
+    def left(x: Sequence[Any]) -> list[Any]:
+        return [arb(c).mid() for c in gaps(evaluated.env(moved(x)), claim.constraints)]
+
     with precision(BITS):
         try:
             x = _solved(left, start())
@@ -52,38 +59,37 @@ def onto(claim: Claim, place: Place) -> Place | None:
         if x is None:
             return None
         found = moved(_wide(x))
-        return found if (found.exact and not claim.depth) or _is_regular(left, x) else None
-
-
-def _equations(claim: Claim, place: Place) -> tuple[Callable[[], list[Any]], Gaps, Moved]:
-    """Return the coordinates of a point, the differences of the equations of the domain, and the points by theirs."""
-    real = claim.of_number(reduce(both, claim.constraints))
-    sides = (side for part in claim.constraints for side in part.arguments)
-    further = not real.flat or bool(claim.depth) or any(map(is_dual, sides))
-    evaluated = claim if further else real
-    start, moved = _coordinates(claim, place, claim.constraints, further)
-
-    def left(x: Sequence[Any]) -> list[Any]:
-        return [arb(c).mid() for c in gaps(evaluated.env(moved(x)), claim.constraints)]
-
-    return start, left, moved
+        shown = found.exact or _has_slopes(left, x)
+        return found if shown and (not claim.depth or _is_smooth(claim, found)) else None
 
 
 def is_on(claim: Claim, place: Place) -> bool:
     """Return whether a point and its rates are on a path along which the equations of the stated domain hold."""
-    if not all(arb(c).contains(0) for c in gaps(claim.env(place), claim.constraints)):
-        return False
-    start, left, _ = _equations(claim, place)
+    found = all(arb(c).contains(0) for c in gaps(claim.env(place), claim.constraints))
     with precision(BITS):
-        return _is_regular(left, start())
+        return found and _is_smooth(claim, place)
 
 
-def _is_regular(left: Any, x: list[Any]) -> bool:
-    """Return whether as many differences change independently at a point as do beside it.
+def _has_slopes(left: Any, x: list[Any]) -> bool:
+    """Return whether each difference has a slope at a point, so that small differences show a zero beside it."""
+    rows = _slopes(left, x, left([Ball(c) for c in x]))
+    return all(any(abs(slope) > flint.arb(2) ** -KEPT for slope in column) for column in zip(*rows, strict=True))
 
-    Then the solutions are smooth there: small differences show a zero beside the point, and each rate that the
-    equations allow is that of a path. At the only solution of ``x**2 == 0`` none changes.
+
+def _is_smooth(claim: Claim, place: Place) -> bool:
+    """Return whether as many differences of equations without rates change independently at a point as beside it.
+
+    Then each rate that the equations allow is that of a path. At the only solution of ``x**2 == 0`` none changes.
     """
+    still = [part for part in claim.constraints if not rate_depth(part)]
+    if not still:
+        return True
+    start, moved = _coordinates(claim, place, still, further=False)
+    x, real = start(), claim.of_number(reduce(both, still))
+
+    def left(x: Sequence[Any]) -> list[Any]:
+        return [arb(c).mid() for c in gaps(real.env(moved(x)), still)]
+
     beside = [c + flint.arb(i + 2).sqrt().mid() / 64 for i, c in enumerate(x)]
     here, there = (_rank(_slopes(left, at, left([Ball(c) for c in at]))) for at in (x, beside))
     return here >= there
