@@ -159,7 +159,7 @@ def generate(
     orders : iterable of int, optional
         Orders n >= 1 of Cayley maps. Without orders, families and φ, the committed charts are written.
     target : str
-        ``"numpy"``, ``"array-api"``, ``"numba"``, ``"c"`` or ``"native"``.
+        ``"numpy"``, ``"array-api"``, ``"numba"``, ``"c"``, ``"native"`` or ``"json"``.
     output : path, optional
         Folder of the package, made if missing. ``"numpy"`` has the default ``generated/dualcay`` of a checkout.
     families : iterable of str

@@ -67,7 +67,7 @@ class Function:
     branch: bool = False  # True if a branch is the last argument
     real: bool = False  # True for a selection of branches or angles, hence no complex numbers
     public: bool = True  # True for a function that users call
-    at_rest: str = ""  # function for a turn by zero branches; empty if such a turn returns the argument unchanged
+    at_rest: str = ""  # function where nothing turns: for zero branches, or for a chart of one; empty for v itself
     aliases: tuple[str, ...] = ()  # further names in modules of Cayley maps and, with dexp for dcay, of the exponential
     keywords: tuple[str, ...] = ()  # further keyword parameters
     shares: str = ""

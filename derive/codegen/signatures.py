@@ -142,7 +142,7 @@ _ROWS = (
         _selecting("shadow_jacobian", (V,), (JACOBIAN,), shadows.shadow_jacobian, OF_AXIS, branch=True),
         at_rest="identity_jacobian",
     ),
-    _selecting("principal", (V,), (SHADOW,), shadows.principal, RULE),
+    replace(_selecting("principal", (V,), (SHADOW,), shadows.principal, RULE), at_rest="stay"),
     _selecting("compose", TWO, (V,), inverse.compose, RULE),
     _selecting("between", TWO, (V,), inverse.between, RULE),
     _selecting("compose_jacobians", TWO, BY_TWO, inverse.compose_jacobians, RULE),
@@ -164,6 +164,8 @@ _ROWS = (
 
 _COMPOSED = (_selecting("switch", (V, V_DOT, COVARIANCE), (SHADOW, *SWITCHED), inverse.switch, CHOICES),)
 
+TABLE = "table"
+"""Argument of programs for numbers that the chart, the side or the branch gives."""
 POSES = Table.of("", _ROWS, _COMPOSED)
 """Functions of a kernel module for poses."""
 
@@ -195,6 +197,29 @@ def printed_geometry(table: Table = POSES) -> Mapping[str, Program]:
     for row in table.kernels.values():
         add(row.traced())
     return found
+
+
+@dataclass(frozen=True, slots=True)
+class Way:
+    """Programs that a public function runs where it takes plain numbers, as in C."""
+
+    program: str  # for branch 0, if the function takes a branch
+    then: str = ""  # program that turns the result to another branch
+    instead: str = ""  # program that gives the result on another branch
+
+
+STAYED, RETURNED, TURN = "stayed", "returned", "turn"
+"""The vector itself, or NaN beyond the end of a chart; the vector on the principal branch; the turn to another one."""
+
+
+def way(row: Function, table: Table) -> Way:
+    """Return the programs of a public function. One with ``instead`` takes cosine and sine of the turn."""
+    program = {**table.kernels, **table.composed}[row.kernel].traced()
+    if not row.branch:
+        return Way(RETURNED if row.at_rest else row.kernel)
+    if any(argument == TABLE for argument, _ in program.inputs):
+        return Way(row.at_rest or STAYED, instead=row.kernel)
+    return Way(row.kernel, then=TURN)
 
 
 def shared_with_poses(table: Table) -> frozenset[str]:

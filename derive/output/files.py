@@ -83,8 +83,8 @@ def finish(folder: Path) -> None:
     shutil.rmtree(ready)
 
 
-MARK = re.compile(r"\S{1,2} (python -m derive generate\b.*)")
-"""First line of every generated file: a comment with the command that makes it."""
+MARK = re.compile(r'(?:\S{1,2} |\{"made by": ")(python -m derive generate\b.*?)(?:",)?$', re.MULTILINE)
+"""First line of every generated file: a comment with the command that makes it, or the first member of JSON."""
 
 
 class RefusedError(Exception):

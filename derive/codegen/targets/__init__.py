@@ -7,10 +7,12 @@ from collections.abc import Mapping
 from ..package import Target
 from .array_api import ArrayApi
 from .c import C
+from .json import Json
 from .native import Native
 from .numba import Numba
 from .numpy import Numpy
 
-TARGETS: Mapping[str, Target] = {target.name: target for target in (Numpy(), ArrayApi(), Numba(), C(), Native())}
+_ALL: tuple[Target, ...] = (Numpy(), ArrayApi(), Numba(), C(), Native(), Json())
+TARGETS: Mapping[str, Target] = {target.name: target for target in _ALL}
 
 __all__ = ["TARGETS", "Target"]

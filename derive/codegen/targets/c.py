@@ -16,13 +16,13 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from ... import about
-from ...maps.cayley import EQUATIONS
 from ...maps.chart import Chart
+from ..descriptions import sections
 from ..lowering.scalar_programs import SCALARS, table_names
-from ..package import Data, Facts, Target, cited
+from ..package import Data, Facts, Target
 from ..programs.program import Program
 from ..rows import Array, Function, Table, inside
-from ..signatures import POSES, ROTATIONS, ChartPrograms, geometry, printed_geometry
+from ..signatures import POSES, ROTATIONS, TABLE, ChartPrograms, geometry, printed_geometry, way
 from ..validation import c_text, compiled
 from ..validation.calls import require_calls
 from ..validation.float_cases import FloatCase, cases, composed
@@ -41,9 +41,10 @@ GATE = 8  # largest error in a differential test, in machine epsilons times the 
 def interface(row: Function, table: Table) -> Data:
     """Return the parameters of both forms of a function, and the arguments that they pass to its core."""
     given, made = ([a.called(NAMES.get(a.name, a.name)) for a in arrays] for arrays in (row.arguments, row.results))
-    numbers = next((names for argument, names in programs(table)[row.kernel].inputs if argument == c99.TABLE), ())
+    numbers = next((names for argument, names in programs(table)[row.kernel].inputs if argument == TABLE), ())
     constants = [f"DUALCAY_NUMBER({c if '.' in c else f'{c}.0'})" for c in row.constants] or numbers
     branch = ["int branch"] if row.branch else []
+    runs = way(row, table)
 
     def form(parameters: str, place: Callable[[Array], str]) -> Data:
         read, stored = (
@@ -60,6 +61,8 @@ def interface(row: Function, table: Table) -> Data:
     return {
         "name": row.name,
         "kernel": row.kernel,
+        "way": runs,
+        "result": made[0].name,
         "plain": form(", ".join(plain), lambda a: f"{'&' if a.size == 1 and a in given else ''}{a.name}, 1"),
         "rows": form(c99.filled(["size_t n", *rows]), lambda a: f"{a.name} + j, {a.name}_stride"),
     }
@@ -99,11 +102,10 @@ def shared_geometry(table: Table) -> Data:
     names = tuple(f"{v.name}{place}" for place in range(1, v.size + 1))
     copy = Program("copy", ((v.name, names),), (), names)
     return {
-        "equations": {name: cited(found) for name, found in EQUATIONS.items()},
         "copy": c99.core(copy, [v.called("to")], {}),
         "cores": [c99.core(program, _made(program, table), {}) for program in programs(table).values()],
         "functions": {name: interface(row, table) for name, row in {**table.public, **table.composed}.items()},
-        "poses": table is POSES,
+        "sections": sections(table),
     }
 
 

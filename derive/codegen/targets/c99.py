@@ -13,10 +13,10 @@ from dataclasses import dataclass, replace
 from ..lowering.scalar_programs import SCALARS
 from ..programs.program import FUNCTIONS, Assignment, Call, Program
 from ..rows import Array
+from ..signatures import TABLE
 from .expression import ARITHMETIC, WIDTH, Dialect, Lists, Operator, Texts, fill, items, renamed
 
 REAL = "dualcay_real"
-TABLE = "table"
 _INDENT = "    "
 _CONDITIONS = ("lt", "eq", "and", "or")
 _SLOW = ("tan", "atan2", "expm1", "log1p")  # functions that are called only where a result depends on them

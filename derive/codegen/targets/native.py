@@ -19,7 +19,7 @@ from ...maps.chart import Chart
 from ..package import Data, Facts, fingerprint
 from ..programs.program import Program
 from ..rows import Function, Table, inside
-from ..signatures import geometry
+from ..signatures import TABLE, geometry
 from ..validation import c_text, compiled
 from . import c99
 from .c import C
@@ -48,8 +48,8 @@ class LoopArray:
 
 def loop(row: Function, program: Program) -> Data:
     """Return the loop around the core of a kernel: NumPy's signature, the arrays, and the arguments of the core."""
-    table = next((len(names) for argument, names in program.inputs if argument == c99.TABLE), 0)
-    given = [(array.name.lower(), array.shape) for array in row.arguments] + [(c99.TABLE, (table,))] * bool(table)
+    table = next((len(names) for argument, names in program.inputs if argument == TABLE), 0)
+    given = [(array.name.lower(), array.shape) for array in row.arguments] + [(TABLE, (table,))] * bool(table)
     *arguments, result = operands = list(_operands([*given, ("made", row.shape)]))
     *taken, made = (f"({','.join(map(str, array.shape))})" for array in operands)
     return {
@@ -74,7 +74,7 @@ def _passed(row: Function, table: int) -> Iterator[str]:
     """Yield the arguments, the numbers of the table, and the results, which are stored side by side."""
     for array in row.arguments:
         yield from (f"{array.name.lower()}.at + j", f"{array.name.lower()}.by")
-    yield from (f"{c99.TABLE}.at[{index} * {c99.TABLE}.by + j]" for index in range(table))
+    yield from (f"{TABLE}.at[{index} * {TABLE}.by + j]" for index in range(table))
     for start in itertools.accumulate((array.size for array in row.results[:-1]), initial=0):
         yield from (f"made.at + {start} * made.by + j", "made.by")
 

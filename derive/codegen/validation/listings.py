@@ -1,0 +1,114 @@
+"""Run the programs of a JSON file on numbers of any type, and compare their results with the formulas."""
+
+from __future__ import annotations
+
+import json
+import operator
+from collections.abc import Callable, Mapping, Sequence
+from fractions import Fraction
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+import mpmath
+
+from ...algebra.arithmetic import PLAIN
+from ...maps.chart import Chart
+from ..rows import Table, inside
+from ..signatures import POSES
+from .batches import ValidationFailed, compare, composed
+from .decimals import EXACT_DIGITS, Decimal
+from .run import chosen
+
+OPERATIONS: Mapping[str, Callable[..., Any]] = {
+    "add": operator.add, "subtract": operator.sub, "multiply": operator.mul, "divide": PLAIN.div,
+    "negate": operator.neg, "abs": PLAIN.abs, "sqrt": PLAIN.sqrt, "tan": PLAIN.tan, "atan2": PLAIN.atan2,
+    "expm1": PLAIN.expm1, "log1p": PLAIN.log1p, "less": operator.lt, "equal": operator.eq, "and": PLAIN.both,
+    "or": PLAIN.either, "select": PLAIN.where,
+}  # fmt: skip
+"""Operations by their names in files."""
+OF_DECIMALS: Mapping[str, Callable[..., Any]] = {
+    "tan": Decimal.tan, "expm1": Decimal.expm1, "log1p": Decimal.log1p,
+    "atan2": lambda y, x: (y if isinstance(y, Decimal) else Decimal(y)).arctan2(x),
+}  # fmt: skip
+"""Operations of numbers of 50 digits."""
+
+
+class Listing:
+    """Programs of a chart, read from a file. ``made`` turns numbers of the file into a type of numbers."""
+
+    def __init__(
+        self, path: Path, made: Callable[[Mapping[str, str]], Any], operations: Mapping[str, Callable[..., Any]] = {}
+    ) -> None:
+        self.data = json.loads(path.read_text(encoding="utf-8"))
+        self.operations = {**OPERATIONS, **operations}
+        self.made = made
+        self.numbers = {name: made(number) for name, number in self.data["numbers"].items()}
+
+    def call(self, function: str, arguments: Sequence[Sequence[Any]], branch: int = 0) -> list[Any]:
+        """Return the joined results of a public function for flat arguments."""
+        row = self.data["functions"][function]
+        given = [*(number for argument in arguments for number in argument), *map(self.made, row["constants"])]
+        k = branch % self.data["branches"] if self.data["branches"] else branch
+        if not k or not row["branch"]:
+            return self.run(row["program"], given)
+        if "instead" in row:
+            return self.run(row["instead"], [*given, *self._turn(k)])
+        return self.run(row["then"], [*self.run(row["program"], given), *self._turn(k)])
+
+    def _turn(self, k: int) -> tuple[Any, Any]:
+        """Return the pair of numbers that turns v by k branches."""
+        if self.data["branches"]:
+            cosine, sine = map(self.made, self.data["turns"][k])
+            return cosine, sine
+        cosine, sine = map(self.made, self.data["turns"][0])
+        return cosine, k * sine
+
+    def run(self, name: str, given: Sequence[Any]) -> list[Any]:
+        """Return the results of a program."""
+        program = self.data["programs"][name]
+        known = {**self.numbers, **dict(zip(program["given"], given, strict=True))}
+
+        def value(operand: Any) -> Any:
+            return known[operand] if isinstance(operand, str) else operand
+
+        for names, called, *operands in program["steps"]:
+            values = list(map(value, operands))
+            if isinstance(names, list):
+                known |= dict(zip(names, self.run(called, values), strict=True))
+            else:
+                known[names] = self.operations[called](*values)
+        return list(map(value, program["results"]))
+
+
+def validate(folder: Path, chart: Chart, geometry: bool, tables: Sequence[Table] = (POSES,)) -> int:
+    """Run the functions of a chart's files; return the number of calls that equal the formula.
+
+    Algebraic functions run on symbols, others on numbers of 50 digits. `ValidationFailed` names the function.
+    """
+    count = 0
+    with mpmath.workdps(EXACT_DIGITS):
+        for table in tables:
+            file = inside(table, f"{chart.name}.json")
+            listing = Listing(folder / file, _exact, OF_DECIMALS)
+            for batch in (*chosen(chart, table, geometry), *composed(chart, table)):
+                for case in batch.cases:
+                    call = partial(listing.call, batch.function, case.arguments, *batch.branch)
+                    compare(f"{file}: {batch.function}", _called(call, file), case.result, batch.agree)
+                    count += 1
+    return count
+
+
+def _called(call: Callable[[], list[Any]], file: str) -> list[Any]:
+    try:
+        return call()
+    except (ArithmeticError, AttributeError, KeyError, TypeError, ValueError) as error:
+        raise ValidationFailed(f"{file}: {type(error).__name__}: {error}") from error
+
+
+def _exact(number: Mapping[str, str]) -> Any:
+    """Return a rational number exactly, a decimal one with 50 digits."""
+    if "rational" not in number:
+        return Decimal(mpmath.mpf(number["decimal"]))
+    value = Fraction(number["rational"])
+    return int(value) if value.denominator == 1 else value
