@@ -4,13 +4,15 @@ from __future__ import annotations
 
 from typing import Any
 
+from ..language.operator_table import RELATIONS as RELATIONS
 from ..language.operator_table import Du, Re, both, cos, epsilon, sin
 from ..language.printed import Apply, Number, Symbol, Term, Trait, distinct, symbols, walk, with_trait
 from ..numbers.kinds import BRANCH, KINDS, ORDER, QUANTITIES
 
-RELATIONS = frozenset(("less", "at most", "greater", "at least", "unlike", "equal", "nonzero"))
 WHOLE = (ORDER, BRANCH, QUANTITIES["index"], QUANTITIES["integer"])
 """Quantities of whole numbers."""
+STRICT = {"less": True, "at most": False, "greater": True, "at least": False}
+"""Order relations, with whether they exclude equality."""
 SUMS = ("plus", "minus", "negative", "bracket")
 """Operators of sums."""
 COMPONENTWISE = frozenset(("vector", "matrix", "block", "entry", "kron", "vec", "zeros"))
@@ -57,6 +59,12 @@ def whole(side: Term) -> Term:
     if side.operator.name == "norm":
         return side.operator(whole(side.arguments[0]))
     return whole(side.arguments[0]) if side.operator is Re else side
+
+
+def difference(part: Term) -> Term:
+    """Return the difference of both sides of a relation; of one with a single side, this side."""
+    a, *rest = part.arguments
+    return a if not rest or rest[0] == Number(0) else a - rest[0]
 
 
 def is_frame_free(*statements: Term) -> bool:

@@ -17,9 +17,9 @@ from ..numbers.balls import BlurredError, arb
 from ..numbers.fields import innermost
 from ..numbers.kinds import Numbers
 from .claim import Claim, kind
-from .identity import STRICT, difference
 from .place import Place
 from .polar import bounds
+from .terms import STRICT, difference
 
 CORNERS_MAX = 512
 """Largest number of corners."""
