@@ -46,8 +46,7 @@ FEW = 24
 class Probe:
     """Source of the points of a claim, determined by the number of its entry.
 
-    Zeros are sought of the singular parts of some `terms`, by default of all parts of the claim. Rates lead along the
-    stated domain, unless it is asked for at instants.
+    Zeros are sought of singular parts of `terms`, by default of all parts. Rates keep to the domain, but `at_instants`.
     """
 
     def __init__(self, claim: Claim, *terms: Term, at_instants: bool = False) -> None:
@@ -123,7 +122,7 @@ class Probe:
             try:
                 moving = self.claim.aims if self.claim.depth else ()  # rates, too, fulfil the equations
                 if self.claim.depth and not self.at_instants and is_at_edge(self.claim, place):
-                    continue  # some rates lead out of the domain
+                    continue
                 if self.claim.inside(place) and (not moving or any(is_on(aim, place) for aim in moving)):
                     yield place
                 elif self.claim.aims:
@@ -299,5 +298,3 @@ class Probe:
 
     def _lines(self, letter: Symbol, part: Term) -> Iterator[Line]:
         return lines(self.claim.of_number(part), letter, self.drawn(0.5, 1.5), self.random)
-
-
