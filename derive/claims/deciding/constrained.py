@@ -16,14 +16,14 @@ from typing import Any
 import flint
 
 from ..language.environment import Env
-from ..language.operator_table import both, negated
+from ..language.operator_table import RELATIONS, both, difference, negated
 from ..language.printed import Term, Trait, rate_depth, symbols, walk
 from ..language.values import add, coefficients
 from ..numbers.balls import Ball, BlurredError, arb, precision
 from ..numbers.kinds import Numbers
 from .claim import Claim, kind
 from .place import Place
-from .terms import RELATIONS, STRICT, difference, is_dual
+from .terms import STRICT, is_dual
 
 BITS, STEPS_MAX = 512, 40
 """Bits of Newton's method, and its largest number of steps."""

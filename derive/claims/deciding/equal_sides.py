@@ -18,7 +18,7 @@ from random import Random
 from typing import Any
 
 from ..language.matrices import exp
-from ..language.operator_table import tan
+from ..language.operator_table import difference, tan
 from ..language.printed import Apply, Number, Symbol, Term, Trait, symbols, walk
 from ..numbers.balls import BlurredError, arb
 from ..numbers.generators import Generators
@@ -27,7 +27,7 @@ from .identity import ABSENT, setting, whole_steps
 from .place import Place
 from .polar import Way
 from .singular import Singular, size
-from .terms import STRICT, bare, difference
+from .terms import STRICT, bare
 from .zeros import lines
 
 FLOORS = tuple(map(Number, (1, 0, -1)))

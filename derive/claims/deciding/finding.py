@@ -17,7 +17,7 @@ from itertools import chain, islice
 from ...algebra.element import NotExactError
 from ...algebra.structures import MeaninglessError
 from ..language.operations import written
-from ..language.operator_table import equal, negated
+from ..language.operator_table import RELATIONS, difference, equal, negated
 from ..language.printed import Term
 from ..numbers.balls import PRECISIONS, BlurredError, precision
 from ..result import Status
@@ -32,7 +32,7 @@ from .proof import proved, proved_at_orders
 from .regions import Outcome, Region, branched, region
 from .singular import ORDERED
 from .split import split
-from .terms import RELATIONS, difference, operators
+from .terms import operators
 
 JUMPS = frozenset(("atan2 of two", "arctan", "acos", "asin", "log"))
 """Operators that choose a branch, so that an identity at generic values may be false at special ones."""

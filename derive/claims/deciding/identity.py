@@ -18,7 +18,7 @@ from ..equation import Entry
 from ..language.environment import Env
 from ..language.matrices import inverse, unlike
 from ..language.operations import written
-from ..language.operator_table import Du, Re, equal, over
+from ..language.operator_table import Du, Re, difference, equal, over
 from ..language.printed import Number, Symbol, Term, Trait, symbols, walk, with_trait
 from ..language.values import coefficients
 from ..numbers.fields import innermost
@@ -30,7 +30,7 @@ from .constrained import gaps
 from .frames import with_frames_at_rest
 from .polar import Polar, Way, bounds, closed_letters
 from .solved import with_solved_equations
-from .terms import STRICT, difference, is_frame_free, operators, takes_parts
+from .terms import STRICT, is_frame_free, operators, takes_parts
 
 PRIMES_MAX = 40
 """Largest number of primes that are tried for one with all roots."""

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from ..language.operator_table import RELATIONS as RELATIONS
-from ..language.operator_table import Du, Re, both, cos, epsilon, sin
+from ..language.operator_table import RELATIONS, Du, Re, both, cos, difference, epsilon, sin
 from ..language.printed import Apply, Number, Symbol, Term, Trait, distinct, symbols, walk, with_trait
 from ..numbers.kinds import BRANCH, KINDS, ORDER, QUANTITIES
 
@@ -29,13 +28,9 @@ def at_zero(statement: Term, zero: Term | None, dual: bool) -> Term:
     pairs = {node: node.arguments for node in walk(statement) if node.operator.name in RELATIONS}
     known = {node: node.operator(*[Number(0)] * len(sides)) for node, sides in pairs.items()
              if len(sides) < 3 and not (dual and _depends_on_dual_parts(*sides))
-             and bare(_difference(*sides)) == zero}  # fmt: skip
+             and bare(difference(node)) == zero}  # fmt: skip
     found: Term = statement.xreplace(known)
     return found
-
-
-def _difference(a: Term, *rest: Term) -> Term:
-    return a - rest[0] if rest and rest[0] != Number(0) else a
 
 
 def _depends_on_dual_parts(*sides: Term) -> bool:
@@ -59,12 +54,6 @@ def whole(side: Term) -> Term:
     if side.operator.name == "norm":
         return side.operator(whole(side.arguments[0]))
     return whole(side.arguments[0]) if side.operator is Re else side
-
-
-def difference(part: Term) -> Term:
-    """Return the difference of both sides of a relation; of one with a single side, this side."""
-    a, *rest = part.arguments
-    return a if not rest or rest[0] == Number(0) else a - rest[0]
 
 
 def is_frame_free(*statements: Term) -> bool:

@@ -12,6 +12,7 @@ from fractions import Fraction
 from itertools import islice, product
 from typing import Any
 
+from ..language.operator_table import difference
 from ..language.printed import Symbol, Term
 from ..numbers.balls import BlurredError, arb
 from ..numbers.fields import innermost
@@ -19,7 +20,7 @@ from ..numbers.kinds import Numbers
 from .claim import Claim, kind
 from .place import Place
 from .polar import bounds
-from .terms import STRICT, difference
+from .terms import STRICT
 
 CORNERS_MAX = 512
 """Largest number of corners."""

@@ -106,8 +106,14 @@ def words(latex: str, text: str) -> Symbol:
 
 
 RELATIONS = frozenset(("less", "at most", "greater", "at least", "unlike", "equal", "nonzero"))
-WHOLE = ("order", "branch", "integer", "sign", "index")
+STILL = ("order", "branch", "integer", "sign", "index")
 """Quantities that do not move."""
+
+
+def difference(relation: Term) -> Term:
+    """Return the difference of both sides of a relation; of one with a single side, this side."""
+    a, *rest = relation.arguments
+    return a if not rest or rest[0] == Number(0) else a - rest[0]
 
 
 def _crosses(env: Env, condition: Term) -> bool:
@@ -115,12 +121,11 @@ def _crosses(env: Env, condition: Term) -> bool:
 
     Relations of orders do not move. At a zero of their difference, both sides of a relation are written as 0.
     """
-    sides = (node.arguments for node in walk(condition) if node.operator.name in RELATIONS
-             and not (symbols(node) and all(a.quantity.name in WHOLE for a in symbols(node))))  # fmt: skip
-    gaps = (env.value(a) if not rest or rest == [Number(0)] else values.add(env.value(a), -env.value(rest[0]))
-            for a, *rest in sides)  # fmt: skip
+    relations = (node for node in walk(condition) if node.operator.name in RELATIONS
+                 and not (symbols(node) and all(a.quantity.name in STILL for a in symbols(node))))  # fmt: skip
     zero = env.field.vanishes if env.moving else env.field.crosses
-    return any(all(map(zero, values.coefficients(env.now(gap)))) for gap in gaps)
+    gaps = (env.now(env.value(difference(node))) for node in relations)
+    return any(all(map(zero, values.coefficients(gap))) for gap in gaps)
 
 
 def _cases(env: Env, *arms: Term) -> Any:
