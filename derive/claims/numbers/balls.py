@@ -234,12 +234,6 @@ class Balls(Field):
             return super().real(name, *values)
         return lambda a: Ball(getattr(arb(a), name)())  # functions without a singularity, such as the sine
 
-    def atan2(self, y: Any, x: Any) -> Any:
-        """Return an angle; one that has rates has none where it jumps, at half a turn."""
-        if self.moving and arb(innermost(y)).contains(0) and not arb(innermost(x)) >= 0:
-            raise UndefinedError("the angle jumps at half a turn")
-        return super().atan2(y, x)
-
     def _log(self, a: Any) -> Ball:
         if not arb(a) > 0:
             raise UndefinedError("logarithm of a number that is not positive")
