@@ -24,7 +24,7 @@ BOUNDS := benchmarks/certified.json
 CHECKS := check-errata check-theorems check-kernels
 
 .DEFAULT_GOAL := generate
-.PHONY: generate check $(CHECKS) check-field proofs machine-proofs bounds verify show test thorough test-native quick smoke lint types mutants native bench accuracy figures parameterizations docs clean help
+.PHONY: generate check $(CHECKS) check-field check-verdicts proofs machine-proofs bounds verify show test thorough test-native quick smoke lint types mutants native bench accuracy figures parameterizations docs clean help
 
 generate: $(READY)  ## derive, prove and write the committed kernels (the default)
 	$(RUN) -m derive generate
@@ -37,8 +37,10 @@ check-kernels: $(READY)
 check-errata: $(READY)
 	$(RUN) -m derive verify --format markdown --data -o docs/errata.md --check
 
-check-field: $(READY)  ## fail if a formula in use is decided otherwise than docs/field.md says (minutes)
+check-field: $(READY)
 	$(RUN) -m docs.pages.field -o docs/field.md --check
+
+check-verdicts: check-errata check-field  ## fail if an equation or a formula in use is decided otherwise than its page says (minutes)
 
 check-theorems: $(READY)
 	$(RUN) -m docs.pages.proving -o docs/theorems.md --check
@@ -63,8 +65,9 @@ verify: $(READY)  ## decide every equation of the papers and of documents in use
 show: $(READY)  ## print the formulas of an order: make show N=3
 	$(RUN) -m derive show -n $(or $(N),1-3)
 
-test: $(TESTED)  ## lint, types, stale files, proofs with controls, and all tests but the thorough ones
-	$(MAKE) --no-print-directory --jobs=2 types check lint
+# The equations of the papers take minutes: `make check-verdicts` decides all of them, tests a sample.
+test: $(TESTED)  ## lint, types, stale kernels, proofs with controls, and all tests but the thorough ones
+	$(MAKE) --no-print-directory --jobs=2 types check-theorems check-kernels lint
 	$(PYTEST) -m "$(TESTS)"
 
 thorough: $(TESTED)  ## slow tests: compilers and further charts

@@ -15,6 +15,7 @@ from .deciding.conditions import is_sharp
 from .deciding.counterexample import outside_words, shown_at
 from .deciding.finding import Finding, decided
 from .deciding.solved import with_vectors_for_lengths
+from .deciding.split import is_for_an_instant
 from .equation import Entry, Reading, UndecidedError, require_complete
 from .language.operator_table import both, implies
 from .language.printed import Term
@@ -120,9 +121,9 @@ def _corrected(found: Result, claim: Claim, finding: Finding) -> Result:
 def _premised(claim: Claim) -> Claim:
     """Return the claim with the premise of an implication as part of the stated domain.
 
-    A magnitude that is 0 there is written as its vector.
+    One that is asked at an instant stays. A magnitude that is 0 in the domain is written as its vector.
     """
-    while claim.statement.operator is implies:
+    while claim.statement.operator is implies and not is_for_an_instant(claim.statement):
         premise, statement = claim.statement.arguments
         claimed = premise if claim.entry.claimed is None else both(claim.entry.claimed, premise)
         claim = replace(claim, entry=replace(claim.entry, claimed=claimed), statement=statement)

@@ -6,6 +6,7 @@ Both use Newton's method with least steps.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from contextlib import suppress
 from dataclasses import replace
 from fractions import Fraction
 from functools import reduce
@@ -15,14 +16,14 @@ from typing import Any
 import flint
 
 from ..language.environment import Env
-from ..language.operator_table import both
-from ..language.printed import Term, Trait, rate_depth, symbols
+from ..language.operator_table import RELATIONS, both, difference, negated
+from ..language.printed import Term, Trait, rate_depth, symbols, walk
 from ..language.values import add, coefficients
 from ..numbers.balls import Ball, BlurredError, arb, precision
 from ..numbers.kinds import Numbers
 from .claim import Claim, kind
 from .place import Place
-from .terms import is_dual
+from .terms import STRICT, is_dual
 
 BITS, STEPS_MAX = 512, 40
 """Bits of Newton's method, and its largest number of steps."""
@@ -68,6 +69,16 @@ def is_on(claim: Claim, place: Place) -> bool:
     found = all(arb(c).contains(0) for c in gaps(claim.env(place), claim.constraints))
     with precision(BITS):
         return found and _is_smooth(claim, place)
+
+
+def is_at_edge(claim: Claim, place: Place) -> bool:
+    """Return whether sides of an order relation of the domain, or of a negated relation, are equal."""
+    env = claim.env(place)
+    names = ((part, RELATIONS if part.operator is negated else STRICT.keys()) for part in claim.domain)
+    gaps = (difference(node) for part, some in names for node in walk(part) if node.operator.name in some)
+    with suppress(ArithmeticError, TypeError):
+        return any(all(arb(c).contains(0) for c in coefficients(env.now(env.value(gap)))) for gap in gaps)
+    return False
 
 
 def _has_slopes(left: Any, x: list[Any]) -> bool:

@@ -12,7 +12,7 @@ from ..language import operator_table
 from ..language.environment import Env
 from ..language.printed import Term, Trait, latex
 from ..language.values import coefficients, equal
-from ..numbers.balls import PRECISIONS, Ball, precision
+from ..numbers.balls import PRECISIONS, Ball, BlurredError, precision
 from ..numbers.fields import Exact
 from ..result import Counterexample
 from .claim import Claim
@@ -29,7 +29,7 @@ def shown_at(claim: Claim, place: Place, words: str = "") -> Counterexample:
             numbers = {name: _rational(exact, a) or _numbers(env.value(a)) for name, a in named.items()}
             letters = letters or {name: parts for name, parts in numbers.items() if parts}
             for proof, field in (("exact rationals", exact), ("disjoint intervals", env)):
-                with suppress(ArithmeticError, TypeError, AttributeError):
+                with suppress(ArithmeticError, BlurredError, TypeError, AttributeError):
                     if found := sides(field, claim.statement.xreplace(dict(place.known))):
                         return Counterexample(words or place.label, letters, found, proof)
     return Counterexample(words or place.label, letters, ())

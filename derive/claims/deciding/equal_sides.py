@@ -18,16 +18,16 @@ from random import Random
 from typing import Any
 
 from ..language.matrices import exp
-from ..language.operator_table import tan
+from ..language.operator_table import difference, tan
 from ..language.printed import Apply, Number, Symbol, Term, Trait, symbols, walk
 from ..numbers.balls import BlurredError, arb
 from ..numbers.generators import Generators
 from .claim import Claim, kind
-from .identity import ABSENT, STRICT, difference, setting, whole_steps
+from .identity import ABSENT, setting, whole_steps
 from .place import Place
 from .polar import Way
 from .singular import Singular, size
-from .terms import bare
+from .terms import STRICT, bare
 from .zeros import lines
 
 FLOORS = tuple(map(Number, (1, 0, -1)))

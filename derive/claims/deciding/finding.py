@@ -17,14 +17,14 @@ from itertools import chain, islice
 from ...algebra.element import NotExactError
 from ...algebra.structures import MeaninglessError
 from ..language.operations import written
-from ..language.operator_table import equal, negated
+from ..language.operator_table import RELATIONS, difference, equal, negated
 from ..language.printed import Term
 from ..numbers.balls import PRECISIONS, BlurredError, precision
 from ..result import Status
 from .claim import Claim, RefusedError
 from .conditions import exclusions, is_sharp, plain
 from .existence import undecided_parts
-from .identity import MODULO, difference, jumps
+from .identity import MODULO, jumps
 from .ordering import ordered
 from .place import Place
 from .places import Probe
@@ -32,7 +32,7 @@ from .proof import proved, proved_at_orders
 from .regions import Outcome, Region, branched, region
 from .singular import ORDERED
 from .split import split
-from .terms import RELATIONS, operators
+from .terms import operators
 
 JUMPS = frozenset(("atan2 of two", "arctan", "acos", "asin", "log"))
 """Operators that choose a branch, so that an identity at generic values may be false at special ones."""
@@ -249,7 +249,8 @@ def _stated(claim: Claim, early: Callable[[Finding], None]) -> Finding:
         return finding
     other = claim.within(negated(condition))
     alone = [negated(claim.statement)] if operators(condition).isdisjoint(OPEN_RELATIONS) else []
-    probe = Probe(other, condition, *alone)  # a further solution shows that a condition by equations is too narrow
+    # a further solution shows that a condition by equations is too narrow
+    probe = Probe(other, condition, *alone, at_instants=True)
     few = is_sharp(condition, claim.statement)  # outside it has no value by its form, which a few points confirm
     outside = chain(probe.first(), probe.zeros())
     beyond = Outcome().tried(other, outside, lambda found: few and len(found.undefined) >= CONFIRMING)

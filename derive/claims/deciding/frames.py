@@ -9,11 +9,11 @@ from collections.abc import Sequence
 from enum import Enum, auto
 
 from ..language.matrices import distance
-from ..language.operator_table import Re
+from ..language.operator_table import RELATIONS, Re
 from ..language.printed import Symbol, Term, Trait, symbols, walk
 from ..numbers.kinds import KINDS
 from .claim import Claim, kind
-from .terms import RELATIONS, is_frame_free
+from .terms import is_frame_free
 
 
 class Turn(Enum):

@@ -18,7 +18,7 @@ from ..equation import Entry
 from ..language.environment import Env
 from ..language.matrices import inverse, unlike
 from ..language.operations import written
-from ..language.operator_table import Du, Re, equal, over
+from ..language.operator_table import Du, Re, difference, equal, over
 from ..language.printed import Number, Symbol, Term, Trait, symbols, walk, with_trait
 from ..language.values import coefficients
 from ..numbers.fields import innermost
@@ -30,7 +30,7 @@ from .constrained import gaps
 from .frames import with_frames_at_rest
 from .polar import Polar, Way, bounds, closed_letters
 from .solved import with_solved_equations
-from .terms import is_frame_free, operators, takes_parts
+from .terms import STRICT, is_frame_free, operators, takes_parts
 
 PRIMES_MAX = 40
 """Largest number of primes that are tried for one with all roots."""
@@ -40,8 +40,6 @@ MODULO = "proved modulo a random prime"
 ROTATION, PRODUCT = "rotation", "S of rotations"
 CUT = frozenset(("floor of number", "negated", "implies", "iff", "cases"))
 """Operators that jump: a claim that is true at generic values may be false at special ones."""
-STRICT = {"less": True, "at most": False, "greater": True, "at least": False}
-"""Order relations, with whether they exclude equality."""
 ANGLES = frozenset(("real", "real angle", "dual number", "angle"))
 """Kinds of numbers that may be any number."""
 INTEGERS = frozenset(("integer", "order", "branch"))
@@ -220,12 +218,6 @@ def _is_false(env: Env, part: Term) -> bool:
 def whole_steps(statement: Term) -> int:
     """Return the least integer M such that a statement contains only multiples of α/M, for each free angle α."""
     return divisor(statement)
-
-
-def difference(part: Term) -> Term:
-    """Return the difference of both sides of a relation; of one with a single side, this side."""
-    a, *rest = part.arguments
-    return a if not rest or rest[0] == Number(0) else a - rest[0]
 
 
 def not_negative(env: Env, part: Term) -> Any:

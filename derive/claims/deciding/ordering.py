@@ -13,7 +13,7 @@ from functools import partial, reduce
 import sympy
 
 from ..language.matrices import at_least, at_most
-from ..language.operator_table import both, norm, pi
+from ..language.operator_table import both, difference, norm, pi
 from ..language.printed import Apply, Number, Symbol, Term, Trait
 from ..language.values import coefficients
 from ..numbers.derivation import Along
@@ -21,11 +21,11 @@ from ..numbers.generators import Generators
 from ..numbers.signed import Bound
 from .claim import Claim, kind
 from .existence import undecided_parts
-from .identity import ABSENT, STRICT, difference, not_negative, setting, whole_steps
+from .identity import ABSENT, not_negative, setting, whole_steps
 from .polar import ALL, POSITIVE, Way, bounds
 from .proof import proved
 from .signs import MARGIN, Signs, signs_in
-from .terms import is_frame_free, operators
+from .terms import STRICT, is_frame_free, operators
 
 DERIVATIVES_MAX = 8
 """Largest number of derivatives that are 0 where an order relation begins."""

@@ -11,7 +11,7 @@ from ..language.matrices import zeros
 from ..language.operator_table import Re, cos, det, infinity, sin
 from ..language.printed import Number, Symbol, Term, symbols, walk
 from ..numbers.kinds import BRANCH, ORDER
-from .terms import magnitudes
+from .terms import is_dual, magnitudes
 
 ROOTS = tuple(Number(k) / Number(2) for k in (1, 3, 5))
 """Exponents of powers that have a value at 0."""
@@ -125,4 +125,7 @@ def partial_operations(
         elif name in ("tan", "cot"):
             yield (cos if name == "tan" else sin)(*arguments), "not 0"
         elif name == "atan2 of two":
-            yield arguments[0] ** 2 + arguments[1] ** 2, "not 0"
+            y, x = arguments
+            yield y**2 + x**2, "not 0"
+            if has_slope(y) and not is_dual(y) and not is_dual(x):  # a rate asks for no jump, dual parts take one side
+                yield (y**2 + x**2) ** ROOTS[0] + x, "not 0"

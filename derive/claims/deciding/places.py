@@ -17,7 +17,7 @@ from ..language.printed import Symbol, Term, symbols
 from ..numbers.balls import BlurredError, arb
 from ..numbers.kinds import BRANCH, ORDER, SIGN, Numbers, Quantity, special
 from .claim import Claim, kind
-from .constrained import is_on, onto, touching
+from .constrained import is_at_edge, is_on, onto, touching
 from .equal_sides import equal_places
 from .place import Place
 from .singular import ABSENT, ORDERED, Singular, is_integer, singular, size
@@ -46,11 +46,11 @@ FEW = 24
 class Probe:
     """Source of the points of a claim, determined by the number of its entry.
 
-    Zeros are sought of the singular parts of some `terms`, by default of all parts of the claim.
+    Zeros are sought of singular parts of `terms`, by default of all parts. Rates keep to the domain, but `at_instants`.
     """
 
-    def __init__(self, claim: Claim, *terms: Term) -> None:
-        self.claim, self.terms = claim, terms or claim.parts
+    def __init__(self, claim: Claim, *terms: Term, at_instants: bool = False) -> None:
+        self.claim, self.terms, self.at_instants = claim, terms or claim.parts, at_instants
         self.random = random.Random(f"probe {claim.entry.number}")
         self.roots: dict[tuple[Term, Symbol], list[float]] = {}  # zeros of singular parts along the first line
         self._projections = self._attempts = 0  # points moved, and attempts
@@ -121,6 +121,8 @@ class Probe:
         for place in filter(self._has_kinds, places):
             try:
                 moving = self.claim.aims if self.claim.depth else ()  # rates, too, fulfil the equations
+                if self.claim.depth and not self.at_instants and is_at_edge(self.claim, place):
+                    continue
                 if self.claim.inside(place) and (not moving or any(is_on(aim, place) for aim in moving)):
                     yield place
                 elif self.claim.aims:
@@ -296,5 +298,3 @@ class Probe:
 
     def _lines(self, letter: Symbol, part: Term) -> Iterator[Line]:
         return lines(self.claim.of_number(part), letter, self.drawn(0.5, 1.5), self.random)
-
-

@@ -18,17 +18,17 @@ from ...algebra import Tensor
 from ...algebra.element import Element, NotExactError
 from ...algebra.matrix import Matrix
 from ..language.environment import Env
-from ..language.operator_table import Du, Re, nonzero
+from ..language.operator_table import RELATIONS, Du, Re, difference, nonzero
 from ..language.printed import Number, Term
 from ..numbers.fields import innermost
 from ..numbers.ideal import Ideal
 from ..numbers.intervals import interval
 from .claim import Claim, kind
 from .far import is_apart_at_infinity
-from .identity import ABSENT, STRICT, difference, not_negative
+from .identity import ABSENT, not_negative
 from .partial import partial_operations, real
 from .singular import size
-from .terms import RELATIONS, is_dual, is_frame_free
+from .terms import STRICT, is_dual, is_frame_free
 
 MARGIN = Fraction(1, 1000)
 """Distance from 0 of a number that is proved not to be 0 at generic values, so it is 0 nowhere."""

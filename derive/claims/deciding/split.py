@@ -7,7 +7,7 @@ from functools import reduce
 
 from ..language.matrices import distance, either, unlike
 from ..language.operator_table import Re, both, cross, equal, every, implies, negated
-from ..language.printed import Apply, Number, Term, Trait, symbols, walk
+from ..language.printed import Apply, Number, Term, Trait, rate_depth, symbols, walk
 from .claim import Claim
 from .identity import contradicts_itself, vanishes_without
 from .solved import PARTS, symmetric
@@ -20,7 +20,9 @@ CASES = "cases"
 def split(claim: Claim) -> Iterator[Claim]:
     """Yield the claims that are true together where a claim is."""
     statement = claim.statement
-    if statement.operator is implies:
+    if statement.operator in (implies, negated) and is_for_an_instant(statement):
+        yield claim
+    elif statement.operator is implies:
         premise, conclusion = statement.arguments
         yield from split(claim.within(affirmed(_one_by_one(premise))).with_statement(conclusion))
     elif statement.operator is negated and statement.arguments[0].operator is both:
@@ -44,6 +46,13 @@ def split(claim: Claim) -> Iterator[Claim]:
             yield from split(claim.on(reduce(both, [alternative if part is many else part for part in domain])))
         if many is None and not _is_empty(domain) and not contradicts_itself(claim):
             yield claim
+
+
+def is_for_an_instant(statement: Term) -> bool:
+    """Return whether a premise may be true at an instant alone, so that it tells nothing of the rates asked for."""
+    premise = statement.arguments[0] if statement.operator is implies else statement
+    closed = (node for node in walk(premise) if node.operator.name in ("equal", "at most", "at least"))
+    return any(rate_depth(node) < rate_depth(statement) for node in closed)
 
 
 def _alternatives(premise: Term) -> list[Term]:
@@ -110,7 +119,7 @@ def _opposite(relation: Term) -> Term | None:
 
 def _by_cases(statement: Term) -> Iterator[Term]:
     """Yield the values by cases in a statement, but for those inside of sums and derivatives, outer ones first."""
-    if isinstance(statement, Apply):
+    if isinstance(statement, Apply) and Trait.RATE not in statement.operator.traits:
         if statement.operator.name.startswith(CASES):
             yield statement
         elif not statement.operator.lazy:

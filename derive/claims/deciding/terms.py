@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from typing import Any
 
-from ..language.operator_table import Du, Re, both, cos, epsilon, sin
+from ..language.operator_table import RELATIONS, Du, Re, both, cos, difference, epsilon, sin
 from ..language.printed import Apply, Number, Symbol, Term, Trait, distinct, symbols, walk, with_trait
 from ..numbers.kinds import BRANCH, KINDS, ORDER, QUANTITIES
 
-RELATIONS = frozenset(("less", "at most", "greater", "at least", "unlike", "equal", "nonzero"))
 WHOLE = (ORDER, BRANCH, QUANTITIES["index"], QUANTITIES["integer"])
 """Quantities of whole numbers."""
+STRICT = {"less": True, "at most": False, "greater": True, "at least": False}
+"""Order relations, with whether they exclude equality."""
 SUMS = ("plus", "minus", "negative", "bracket")
 """Operators of sums."""
 COMPONENTWISE = frozenset(("vector", "matrix", "block", "entry", "kron", "vec", "zeros"))
@@ -27,13 +28,9 @@ def at_zero(statement: Term, zero: Term | None, dual: bool) -> Term:
     pairs = {node: node.arguments for node in walk(statement) if node.operator.name in RELATIONS}
     known = {node: node.operator(*[Number(0)] * len(sides)) for node, sides in pairs.items()
              if len(sides) < 3 and not (dual and _depends_on_dual_parts(*sides))
-             and bare(_difference(*sides)) == zero}  # fmt: skip
+             and bare(difference(node)) == zero}  # fmt: skip
     found: Term = statement.xreplace(known)
     return found
-
-
-def _difference(a: Term, *rest: Term) -> Term:
-    return a - rest[0] if rest and rest[0] != Number(0) else a
 
 
 def _depends_on_dual_parts(*sides: Term) -> bool:

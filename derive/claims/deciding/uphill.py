@@ -12,14 +12,15 @@ from fractions import Fraction
 from itertools import islice, product
 from typing import Any
 
+from ..language.operator_table import difference
 from ..language.printed import Symbol, Term
 from ..numbers.balls import BlurredError, arb
 from ..numbers.fields import innermost
 from ..numbers.kinds import Numbers
 from .claim import Claim, kind
-from .identity import STRICT, difference
 from .place import Place
 from .polar import bounds
+from .terms import STRICT
 
 CORNERS_MAX = 512
 """Largest number of corners."""

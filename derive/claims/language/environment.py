@@ -29,17 +29,19 @@ class Env:
 
     def value(self, statement: Term) -> Any:
         """Return the value of a term: a number, vector, tensor, quaternion, function or truth value."""
+        found = self.known.get(statement)
+        if found is not None:
+            return found
         if isinstance(statement, Number):
             return statement.value
         if isinstance(statement, Symbol):
             if statement not in self.values:
                 self.values[statement] = self._meaning(statement)
             return self.values[statement]
-        if statement not in self.known:
-            operator = statement.operator
-            parts = statement.arguments if operator.lazy else map(self.value, statement.arguments)
-            self.known[statement] = operator.value(self, *parts)
-        return self.known[statement]
+        operator = statement.operator
+        parts = statement.arguments if operator.lazy else map(self.value, statement.arguments)
+        found = self.known[statement] = operator.value(self, *parts)
+        return found
 
     @property
     def certain(self) -> Env:

@@ -28,10 +28,13 @@ from .printed import (
     RELATION,
     SUM,
     Apply,
+    Number,
     OperatorRow,
     Symbol,
     Term,
     Trait,
+    symbols,
+    walk,
 )
 
 
@@ -102,8 +105,33 @@ def words(latex: str, text: str) -> Symbol:
     return Symbol(f"words:{text}", "words", latex, text)
 
 
+RELATIONS = frozenset(("less", "at most", "greater", "at least", "unlike", "equal", "nonzero"))
+STILL = ("order", "branch", "integer", "sign", "index")
+"""Quantities that do not move."""
+
+
+def difference(relation: Term) -> Term:
+    """Return the difference of both sides of a relation; of one with a single side, this side."""
+    a, *rest = relation.arguments
+    return a if not rest or rest[0] == Number(0) else a - rest[0]
+
+
+def _crosses(env: Env, condition: Term) -> bool:
+    """Return whether sides of a relation that move are equal now, so that another case may apply nearby.
+
+    Relations of orders do not move. At a zero of their difference, both sides of a relation are written as 0.
+    """
+    relations = (node for node in walk(condition) if node.operator.name in RELATIONS
+                 and not (symbols(node) and all(a.quantity.name in STILL for a in symbols(node))))  # fmt: skip
+    zero = env.field.vanishes if env.moving else env.field.crosses
+    gaps = (env.now(env.value(difference(node))) for node in relations)
+    return any(all(map(zero, values.coefficients(gap))) for gap in gaps)
+
+
 def _cases(env: Env, *arms: Term) -> Any:
     for value, condition in zip(arms[::2], arms[1::2], strict=False):
+        if _crosses(env, condition):
+            raise BlurredError
         if env.value(condition):
             return env.value(value)
     if len(arms) % 2:

@@ -11,7 +11,7 @@ import re
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from enum import Flag, auto
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from itertools import chain
 from typing import Any, Self
 from weakref import WeakValueDictionary
@@ -154,8 +154,8 @@ class Apply(Term):
     def operator(self) -> OperatorRow:
         return OPERATORS[self.args[0].name]
 
-    @property
-    def arguments(self) -> tuple[Term, ...]:
+    @cached_property
+    def arguments(self) -> tuple[Term, ...]:  # kept: evaluation asks for it at every point
         return tuple(a for a in self.args[1:] if isinstance(a, Term))
 
 

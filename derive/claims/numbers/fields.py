@@ -51,6 +51,10 @@ class Field(Elementary):
         """Return whether a number is certainly 0, with its dual part and rates."""
         return bool(a == 0)
 
+    def crosses(self, a: Any) -> bool:
+        """Return whether a number that varies is 0 now; numbers of most fields do not vary."""
+        return False
+
     def atan(self, a: Any) -> Any:
         return self.atan2(a, 1)
 

@@ -218,6 +218,9 @@ class SeriesField(Field):
     def same(self, a: Any, b: Any) -> bool:
         return self.vanishes(a - b)
 
+    def crosses(self, a: Any) -> bool:
+        return a.order > 0 and bool(a.coefficients) if isinstance(a, Series) else self.base.vanishes(a)
+
     def vanishes(self, a: Any) -> bool:
         return not a.coefficients if isinstance(a, Series) and a.field is self else self.base.vanishes(a)
 

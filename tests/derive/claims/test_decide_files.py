@@ -184,6 +184,15 @@ TRAPS = [
     ("norm(a) == a", {"a": "dual number", **B}, "a == b - 3 and re(b) >= 3"),  # real parts that an equation makes 0
     ("norm(d) == b", {**B, "d": "dual vector", "u": "unit dual vector"}, "d == b*u and re(b) >= 0"),
     ("norm(b) == sin(t)", {**B, "t": "dual angle"}, "b == sin(t) and 0 <= re(t) and re(t) <= pi"),
+    ("implies(x == 0, rate(x) == 0)", X, ""), ("implies(x == 0, rate(x) == 0)", X, "x > -1"),  # true at an instant
+    ("implies(x == y, rate(x) == rate(y))", XY, ""), ("implies(norm(v) == 1, dot(v, rate(v)) == 0)", V, ""),
+    ("implies(x == 0 and rate(x) == 0, rate(rate(x)) == 0)", X, ""), ("implies(re(b) == 0, rate(re(b)) == 0)", B, ""),
+    ("not (x == 0 and rate(x) != 0)", X, ""), ("implies(x >= 0 and x <= 0, rate(x) == 0)", X, ""),
+    ("rate(cases(1, x > 0, 2)) == 0", X, ""), ("rate(cases(1, x == 0, 0)) == 0", X, ""),  # steps
+    ("rate(cases(x + 1, x > y, x)) == rate(x)", XY, ""), ("rate(cases(1, norm(v) > 1, 2)) == 0", V, ""),
+    ("rate(atan2(x, -1)) == -rate(x)/(1 + x**2)", X, ""), ("rate(x) == -y*rate(atan2(y, x))", XY, "x**2 + y**2 == 1"),
+    ("rate(atan2(y, x)) == (x*rate(y) - y*rate(x))/(x**2 + y**2)", XY, "x < 0"),
+    ("rate(atan2(sin(x), cos(x))) == rate(x)", X, ""),
 ]  # fmt: skip
 """Claims that are false, or without value, at places that neither points nor generic values reach."""
 TRUE_BEYOND_THEIR_POINTS = [
@@ -214,6 +223,14 @@ TRUE_ON_EQUATIONS = [
     ("x <= 1", {**X, **S}, "x + s == 1"), ("norm(s) == s", {**X, **S}, "s + x == 0"),
     ("rate(x) == 0", X, "x**2 == 0"), ("rate(x) == 0", XY, "x**2 + y == 0 and y == 0"),  # no rate allowed by slopes
     ("rate(v) == 0*v", V, "norm(v)**2 == 0"), ("rate(R) == 0*R", R, "trace(R) == 3"),
+    *((text, X, domain) for text, domain in (  # at an edge of the domain, and where cases meet
+        ("rate(x) == 0", "x**2 <= 0"), ("rate(x) == 0", "x >= 0 and x <= 0"), ("rate(x) == 0", "not (x != 0)"),
+        ("rate(x) == 0", "cos(x) >= 1"), ("rate(norm(x)) == rate(x)", "x >= 0"),
+        ("rate(cases(0, x == 0, x)) == rate(x)", ""), ("rate(cases(4, x == 2, x**2)) == 2*x*rate(x)", "x >= 2"),
+        ("jacobian(cases(0, x == 0, x), x) == 1", ""), ("jacobian(cases(x**2, x != 1, 1), x) == 2*x", ""),
+    )),
+    ("rate(cases(0*v, v == 0*v, v)) == rate(v)", V, ""), ("rate(R) == 0*R", R, "trace(R) >= 3"),
+    ("dot(v, rate(v)) == 0", V, "norm(v) <= 1 and norm(v) >= 1"),
 ]  # fmt: skip
 """True claims on the equations of a domain."""
 

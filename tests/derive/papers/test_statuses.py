@@ -1,4 +1,4 @@
-"""Statuses of the papers' entries in docs/errata.json, which `make check-errata` decides anew."""
+"""Statuses of the papers' entries in docs/errata.json: all agree with the page, and a sample is decided anew."""
 
 from __future__ import annotations
 
@@ -10,6 +10,9 @@ from typing import Any
 import pytest
 
 import derive
+from derive import papers
+from derive.claims.report import Report, data
+from derive.claims.sheet import Sheet
 from tests.support.imports import ROOT
 
 PAGE = ROOT / "docs" / "errata.md"
@@ -21,6 +24,13 @@ ENTRIES: dict[str, dict[str, Any]] = {
 
 PAPERS = {"c": "CP23", "k": "K10"}
 ORDER = ("erratum", "undecided", "unrefuted", "ambiguous", "holds-if", "holds")
+
+
+@pytest.mark.parametrize("paper", papers.PAPERS, ids=lambda paper: paper.slug)
+def test_a_sample_is_decided_as_recorded(paper: Sheet) -> None:
+    numbers = [entry.number for entry in paper.entries()][5::16]
+    report = Report.of([paper], derive.verify(paper.slug, numbers), [])
+    assert json.loads(data(report))["equations"] == [ENTRIES[f"{paper.slug[0]} {number}"] for number in numbers]
 
 
 @pytest.mark.parametrize("paper", PAPERS)

@@ -23,7 +23,7 @@ from derive.claims.sheet import load
 from derive.papers import PAPERS, verify
 from derive.proof import theorems
 
-SAMPLE = ("14", "20", "orthogonal", "zero-components", "half-angle", "5")
+SAMPLE = ("14", "20", "orthogonal", "zero-components", "positions", "5")
 
 
 @pytest.fixture(scope="module")

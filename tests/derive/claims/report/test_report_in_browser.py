@@ -20,6 +20,9 @@ FLAGS = (
     *("--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-sync"),
     *("--disable-background-networking", "--disable-component-update", "--virtual-time-budget=3000"),
 )
+ENTRIES = ("dimension", "norm", "quadratic-expansion", "b-plus-identity", "rodrigues-matrix", "with-tangents", "14",
+           "15", "18", "19", "20", "21", "22", "step-19", "conclusion-20", "positions")  # fmt: skip
+"""Equations with every status but undecided, and with fractions."""
 PROBE = r"""<script>
 addEventListener("load", () => {
   const click = new URLSearchParams(location.search).get("click");
@@ -59,7 +62,7 @@ def browser() -> str:
 
 @pytest.fixture(scope="module")
 def karakilic() -> Report:
-    return Report.of(PAPERS, verify("karakilic-2010"), [])
+    return Report.of(PAPERS, verify("karakilic-2010", ENTRIES), [])
 
 
 @pytest.fixture
@@ -89,7 +92,7 @@ def test_everything_shows_and_formulas_are_laid_out(look, statuses) -> None:
     assert seen["current"] == "all"
     assert seen["formulas"] >= len(statuses)
     assert seen["flat"] == 0
-    assert seen["fractions"] == seen["stacked"] > 30
+    assert seen["fractions"] == seen["stacked"] > 10
     assert seen["overflow"] <= 0
 
 
