@@ -113,18 +113,27 @@ def _programs(chart: Chart, lowered: ChartPrograms, numbers: Mapping[str, Any]) 
 
 def _program(program: Program, numbers: Mapping[str, Any]) -> dict[str, Any]:
     given = [name for _, names in program.inputs for name in names if name not in numbers]
-    return {"given": given, "steps": list(map(_step, program.statements)), "results": list(program.outputs)}
+    return {"given": given, "steps": list(map(_step, program.statements)), "results": list(map(_operand, program.outputs))}
 
 
 def _step(statement: Any) -> list[Any]:
     """Return a result and its operation, or the results of a call and the program, followed by the operands."""
-    operands: list[Operand] = list(statement.args)
+    operands = list(map(_operand, statement.args))
     if not isinstance(statement, Assignment):
         called = statement.function if statement.result else f"{OWN}{statement.function}"
         return [list(statement.names), called, *operands]
     if statement.op == "reciprocal":  # of an integer, as a number like the first operand
         return [statement.name, "divide", 1, operands[1]]
     return [statement.name, OPERATIONS[statement.op], *operands]
+
+
+def _operand(operand: Operand) -> str | int:
+    """Return a name, or a constant as an integer; raise ValueError for a fraction, which exact types cannot hold."""
+    if isinstance(operand, str):
+        return operand
+    if Fraction(operand).denominator != 1:
+        raise ValueError(f"constant {operand} is not an integer: divide instead")
+    return int(operand)
 
 
 def _function(name: str, lines: tuple[str, ...], facts: Facts, table: Table) -> dict[str, Any]:
