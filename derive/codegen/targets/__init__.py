@@ -11,8 +11,9 @@ from .json import Json
 from .native import Native
 from .numba import Numba
 from .numpy import Numpy
+from .rust import Rust
 
-_ALL: tuple[Target, ...] = (Numpy(), ArrayApi(), Numba(), C(), Native(), Json())
+_ALL: tuple[Target, ...] = (Numpy(), ArrayApi(), Numba(), C(), Native(), Json(), Rust())
 TARGETS: Mapping[str, Target] = {target.name: target for target in _ALL}
 
 __all__ = ["TARGETS", "Target"]

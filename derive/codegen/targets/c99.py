@@ -8,13 +8,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 from ..lowering.scalar_programs import SCALARS
 from ..programs.program import FUNCTIONS, Assignment, Call, Program
 from ..rows import Array
 from ..signatures import TABLE
-from .expression import ARITHMETIC, WIDTH, Dialect, Lists, Operator, Texts, fill, items, renamed
+from .expression import ARITHMETIC, WIDTH, Dialect, Lists, Operator, Texts, fill, items, lower_case
 
 REAL = "dualcay_real"
 _INDENT = "    "
@@ -54,7 +54,7 @@ def core(program: Program, made: Sequence[Array], table: Mapping[str, str]) -> C
 
     Its parameters are the arguments, the numbers of the chart's table without decimals in ``table``, and the arrays.
     """
-    program = _lower_case(program)
+    program = lower_case(program)
     lists, given, read, loads = Lists(program), list[str](), list[str](), list[str]()
     numbers = [name for argument, names in program.inputs if argument == TABLE for name in names if name not in table]
     for argument, names in program.inputs:
@@ -75,7 +75,7 @@ def core(program: Program, made: Sequence[Array], table: Mapping[str, str]) -> C
 
 def scalar(program: Program, table: Mapping[str, str]) -> CFunction:
     """Return a scalar program as a function; its parameters are numbers, then pointers to results."""
-    program, row = _lower_case(program), SCALARS[program.name]
+    program, row = lower_case(program), SCALARS[program.name]
     numbers = [name for _, names in program.inputs for name in names if name not in table]
     pointers = [f"{'int' if name in row.truths else REAL} *{name}_at" for name in row.results]
     places, truths = ([f"*{name}_at" for name in names] for names in (row.results, row.truths))
@@ -88,21 +88,6 @@ def _printed(program: Program, given: Sequence[str], read: Sequence[str], lines:
     text = "\n".join(lines)
     unused = [f"{_INDENT}(void){name};" for name in read if not re.search(rf"\b{name}\b", text)]
     return CFunction(program.name, filled(given), "\n".join([*unused, text]))
-
-
-def _lower_case(program: Program) -> Program:
-    """Return a program with lower-case names, safe from macros (N, I, R1); trailing underscores keep names apart."""
-    names = {step.name for step in program.steps}.union(*(parts for _, parts in program.inputs))
-    names.update(name for call in program.calls for name in (*call.names, call.result))
-    taken = {name for name in names if name == name.lower()} | {argument.lower() for argument, _ in program.inputs}
-    new: dict[str, str] = {}
-    for name in sorted(names - taken):
-        new[name] = name.lower()
-        while new[name] in taken:
-            new[name] += "_"
-        taken.add(new[name])
-    lowered = renamed(program, new)
-    return replace(lowered, inputs=tuple((argument.lower(), parts) for argument, parts in lowered.inputs))
 
 
 def _declared(values: Iterable[tuple[str, str]]) -> Iterator[str]:

@@ -55,12 +55,15 @@ class Dialect:
     largest: float = float("inf")  # magnitude of constants
     literal: Callable[[int], str] = str  # text of a constant
     passed: Callable[[str], str] = str  # form of an argument or a selected value
+    reciprocal: Callable[[int], Text] | None = None  # reciprocal of an integer, where no function makes it
     together: bool = False  # reciprocals of integers are made in one call
 
     def expression(self, step: Assignment, inlined: Mapping[str, Text]) -> Text:
         """Return the right-hand side of a step, with inlined operands written out."""
         if step.op == RECIPROCAL:  # of an integer of any size
             like, integer = step.args
+            if self.reciprocal:
+                return self.reciprocal(int(integer))
             literal = self.literal(int(integer))
             return (f"over_{literal}" if self.together else f"{self.calls[RECIPROCAL]}({like}, {literal})"), ATOM
         args = [self.operand(arg, inlined) for arg in step.args]
@@ -186,6 +189,25 @@ def renamed(program: Program, names: Mapping[str, str]) -> Program:
         statements=tuple(map(statement, program.statements)),
         outputs=new(program.outputs),
     )
+
+
+def lower_case(program: Program, reserved: Collection[str] = ()) -> Program:
+    """Return a program with lower-case names, none of them ``reserved``; trailing underscores keep names apart.
+
+    Names in capital letters (N, I, R1) may be macros in C, and are warned about in Rust.
+    """
+    names = {step.name for step in program.steps}.union(*(parts for _, parts in program.inputs))
+    names.update(name for call in program.calls for name in (*call.names, call.result))
+    good = {name for name in names if name == name.lower() and name not in reserved}
+    taken = good | {argument.lower() for argument, _ in program.inputs} | set(reserved)
+    new: dict[str, str] = {}
+    for name in sorted(names - good):
+        new[name] = name.lower()
+        while new[name] in taken:
+            new[name] += "_"
+        taken.add(new[name])
+    lowered = renamed(program, new)
+    return replace(lowered, inputs=tuple((argument.lower(), parts) for argument, parts in lowered.inputs))
 
 
 def wrapped(words: Iterable[str], indent: str) -> list[str]:

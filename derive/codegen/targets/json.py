@@ -150,12 +150,12 @@ def _function(name: str, lines: tuple[str, ...], facts: Facts, table: Table) -> 
         "branch": row.branch,
         "results": [_array(array, table) for array in row.results],
         "program": program,
-        "constants": list(map(_rational, _constants(row, table))),
+        "constants": list(map(_rational, constants(row, table))),
         **{key: text for key, text in turned.items() if text},
     }
 
 
-def _constants(row: Function, table: Table) -> tuple[str, ...]:
+def constants(row: Function, table: Table) -> tuple[str, ...]:
     """Return the numbers of the table that the program takes, those of the side; by default 1."""
     inputs = {**table.kernels, **table.composed}[row.kernel].traced().inputs
     return row.constants if any(argument == TABLE for argument, _ in inputs) else ()

@@ -1,0 +1,207 @@
+"""Straight-line programs for languages whose functions take plain numbers: steps that a template prints line by line.
+
+A target of such a language has a dialect, a template folder, and a reader of its own text, by which `validate` runs what
+is printed.
+"""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Collection, Mapping, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import mpmath
+import numpy as np
+
+from ...maps.chart import Chart
+from ..descriptions import about, sections
+from ..lowering.scalar_programs import SCALARS, table_names
+from ..package import Data, Facts, Target
+from ..programs.program import Assignment, Program
+from ..rows import Array, Function, Table
+from ..signatures import POSES, TABLE, ChartPrograms, Way, printed_geometry, way
+from ..validation import listings
+from ..validation.calls import require_calls
+from .c import NAMES
+from .expression import WIDTH, Dialect, Text, fill, lower_case, wrapped
+from .json import constants, listed
+
+
+PI = "3.14159265358979323846264338327950288419716939937510582097494"
+
+
+@dataclass(frozen=True, slots=True)
+class Step:
+    """Value with its name, or call of a program with the names of its results; unread results have the name ``_``."""
+
+    names: tuple[str, ...]
+    text: str = ""
+    called: str = ""
+    groups: tuple[tuple[str, ...] | str, ...] = ()  # arguments of a call: numbers, and numbers of a list
+    of_chart: bool = False  # True if each chart has a program of this name
+    truths: frozenset[str] = frozenset()
+
+    @property
+    def arguments(self) -> list[str]:
+        """Arguments one by one."""
+        return [text for group in self.groups for text in ([group] if isinstance(group, str) else group)]
+
+
+@dataclass(frozen=True, slots=True)
+class Printed:
+    """Program with its steps as texts in a language."""
+
+    name: str
+    given: tuple[tuple[str, tuple[str, ...]], ...]  # arguments; unread components have the name ``_``
+    numbers: Mapping[str, str]  # numbers of the chart that it reads, as decimals by name
+    steps: tuple[Step, ...]
+    results: tuple[str, ...]
+    truths: tuple[bool, ...]  # whether each result is true or false, not a number
+
+    @property
+    def components(self) -> list[str]:
+        """Components of all arguments one by one."""
+        return [name for _, names in self.given for name in names]
+
+
+def printed(
+    program: Program, dialect: Dialect, reserved: Collection[str] = (), numbers: Mapping[str, str] | None = None
+) -> Printed:
+    """Return a program in a dialect, without the words of the language among its names."""
+    scalar = SCALARS.get(program.name)
+    program = lower_case(program, reserved)
+    read = program.operands
+    known = {name: text for name, text in (numbers or {}).items() if name in read}
+    given = tuple(
+        (argument, tuple(name if name in read else "_" for name in names if name not in (numbers or {})))
+        for argument, names in program.inputs
+    )
+    steps, results = _steps(program, dialect)
+    truths = [name in scalar.truths for name in scalar.results] if scalar else [False] * len(results)
+    given = tuple(row for row in given if row[1])
+    return Printed(program.name, given, known, tuple(steps), tuple(results), tuple(truths))
+
+
+def _steps(program: Program, dialect: Dialect) -> tuple[list[Step], list[str]]:
+    inlined: dict[str, Text] = {}
+    found = []
+
+    def text(operand: object) -> str:
+        return dialect.passed(dialect.operand(operand, inlined)[0])  # type: ignore[arg-type]
+
+    for statement in program.statements:
+        if isinstance(statement, Assignment):
+            expression = dialect.expression(statement, inlined)
+            if statement.inline:
+                inlined[statement.name] = expression
+            else:
+                found.append(Step((statement.name,), expression[0]))
+            continue
+        groups = (tuple(map(text, group)) if isinstance(group, tuple) else text(group) for group in statement.groups)
+        shared = bool(statement.result)
+        found.append(Step(statement.names, "", statement.function, tuple(groups), not shared, statement.truths))
+    return found, list(map(text, program.outputs))
+
+
+def copy_of(table: Table) -> Program:
+    """Return the program that returns v itself."""
+    (v,) = table.sources["shadow"].arguments
+    names = tuple(f"{v.name}{place}" for place in range(1, v.size + 1))
+    return Program("copy", ((v.name, names),), (), names)
+
+
+def programs(table: Table) -> Mapping[str, Program]:
+    """Return the programs that all charts share, each after the programs that it calls."""
+    composed = {name: row.traced() for name, row in table.composed.items()}
+    return {**printed_geometry(table), **composed, "copy": copy_of(table)}
+
+
+@dataclass(frozen=True, slots=True)
+class Public:
+    """Public function for its template: arrays with descriptions, constants of its program, and its programs."""
+
+    row: Function
+    lines: tuple[str, ...]  # description
+    way: Way
+    constants: tuple[str, ...]
+    table: Table
+
+    def about(self, array: Array) -> str:
+        return about(array, self.table)
+
+
+def public(table: Table) -> list[Public]:
+    """Return the public functions of a table in the order of print."""
+    rows = {**table.public, **table.composed}
+    found = ((name, lines) for section in sections(table) for name, lines in section.functions.items())
+    return [Public(_small(rows[name]), lines, way(rows[name], table), constants(rows[name], table), table)
+            for name, lines in found]  # fmt: skip
+
+
+def _small(row: Function) -> Function:
+    """Return a row whose arrays have no names in capital letters."""
+    given, made = (tuple(a.called(NAMES.get(a.name, a.name)) for a in arrays) for arrays in (row.arguments, row.results))
+    return replace(row, arguments=given, results=made)
+
+
+def numbers_of(facts: Facts) -> dict[str, str]:
+    """Return the numbers of a chart as decimals by name."""
+    return dict(zip(table_names(facts.chart), itertools.chain(*facts.returns), strict=True))
+
+
+def called(tables: Sequence[Table]) -> list[str]:
+    """Return the names of the scalar programs that shared programs call, in the order of their table."""
+    found = {call.function for table in tables for program in programs(table).values() for call in program.calls
+             if not call.result}  # fmt: skip
+    return [name for name in SCALARS if name in found]
+
+
+def own(facts: Facts, tables: Sequence[Table]) -> dict[str, Program]:
+    """Return the scalar programs of a chart, and those that only the shared programs name."""
+    known = facts.lowered.rotations.scalars | facts.lowered.poses.scalars
+    return {name: known.get(name) or SCALARS[name].placeholder(name) for name in called(tables)}
+
+
+def double(decimal: str) -> str:
+    """Return the shortest decimal of the nearest double."""
+    return repr(float(mpmath.mpf(decimal)))
+
+
+def single(decimal: str) -> str:
+    """Return the shortest decimal of the nearest number of 24 bits."""
+    with mpmath.workprec(24):
+        return str(np.float32(float(+mpmath.mpf(decimal))))
+
+
+def broken(head: str, texts: Sequence[str], tail: str, indent: str, mark: str = "") -> str:
+    """Return a statement with a list or a value between its head and tail; a long one has lines of its own.
+
+    Lines break after commas or before operators, with a ``mark`` of the language at the end of each.
+    """
+    whole = f"{indent}{head}{', '.join(texts)}{tail}"
+    if len(whole) <= WIDTH:
+        return whole
+    inner = indent + "    "
+    lines = wrapped((f"{text}," for text in texts), inner) if len(texts) > 1 else fill(texts[0], inner)
+    lines[-1] = lines[-1].removesuffix(",")
+    return f"{mark}\n".join([(indent + head).rstrip(" "), *lines, f"{indent}{tail}"])
+
+
+class Straight(Target):
+    """Target of a language whose functions take plain numbers."""
+
+    dialect: Dialect
+    reserved: Collection[str] = ()
+
+    def printed(self, program: Program, numbers: Mapping[str, str] | None = None) -> Printed:
+        return printed(program, self.dialect, self.reserved, numbers)
+
+    def require_complete(self, texts: Mapping[str, str]) -> None:
+        """Require calls and descriptions of every public function."""
+        for table in self.tables:
+            require_calls(table)
+            sections(table)
+
+    def validate(self, folder: Path, chart: Chart, geometry: bool) -> int:
+        return 0
