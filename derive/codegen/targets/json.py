@@ -113,7 +113,8 @@ def _programs(chart: Chart, lowered: ChartPrograms, numbers: Mapping[str, Any]) 
 
 def _program(program: Program, numbers: Mapping[str, Any]) -> dict[str, Any]:
     given = [name for _, names in program.inputs for name in names if name not in numbers]
-    return {"given": given, "steps": list(map(_step, program.statements)), "results": list(map(_operand, program.outputs))}
+    steps, results = list(map(_step, program.statements)), list(map(_operand, program.outputs))
+    return {"given": given, "steps": steps, "results": results}
 
 
 def _step(statement: Any) -> list[Any]:

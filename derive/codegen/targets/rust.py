@@ -7,8 +7,8 @@ from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 
 from ... import about
-from ..package import Data, Facts
 from ..lowering.scalar_programs import SCALARS
+from ..package import Data, Facts
 from ..rows import Table, inside
 from ..signatures import POSES, ROTATIONS, TABLE
 from .expression import INDENT, OPERATORS, WIDTH, Dialect, Text
@@ -80,12 +80,15 @@ def step(one: Step) -> str:
 
 def shared_function(program: Printed) -> Data:
     """Return the data of a program that all charts share: it takes and returns arrays."""
-    given = [f"{argument}: {'T' if names == (argument,) else f'[T; {len(names)}]'}" for argument, names in program.given]
+    given = [
+        f"{argument}: {'T' if names == (argument,) else f'[T; {len(names)}]'}" for argument, names in program.given
+    ]
     loads = [broken("let [", names, f"] = {argument};", INDENT) for argument, names in program.given
              if names != (argument,) and set(names) != {"_"}]  # fmt: skip
     lines = [*loads, *map(step, program.steps), broken("[", program.results, "]", INDENT)]
     made = f") -> [T; {len(program.results)}] {{"
-    return {"head": broken(f"pub(crate) fn {program.name}<C: Chart<T>, T: Real>(", given, made, ""), "text": "\n".join(lines)}
+    head = broken(f"pub(crate) fn {program.name}<C: Chart<T>, T: Real>(", given, made, "")
+    return {"head": head, "text": "\n".join(lines)}
 
 
 def chart_function(program: Printed) -> Data:
@@ -140,7 +143,8 @@ def angle(text: str) -> str:
     """Return a multiple of pi, or another angle, in the real type."""
     if "." in text:
         return number(text)
-    return " ".join(word if word in "*/" else number(PI) if word == "pi" else literal(int(word)) for word in text.split())
+    words = {"*": "*", "/": "/", "pi": number(PI)}
+    return " ".join(words.get(word) or literal(int(word)) for word in text.split())
 
 
 class Rust(Straight):
@@ -155,7 +159,7 @@ class Rust(Straight):
 
     def shared(self) -> Mapping[str, Callable[[], Data]]:
         geometry = {inside(table, "geometry.rs"): partial(self.geometry, table) for table in self.tables}
-        scalars = partial(dict, scalars=list(map(declaration, called(self.tables))))
+        scalars: Callable[[], Data] = partial(dict, scalars=list(map(declaration, called(self.tables))))
         return {"lib.rs": dict, "Cargo.toml": partial(dict, version=about.__version__), "build.rs": dict,
                 "real.rs": dict, "scalars.rs": scalars, **geometry}  # fmt: skip
 

@@ -1,7 +1,7 @@
-"""Straight-line programs for languages whose functions take plain numbers: steps that a template prints line by line.
+"""Straight-line programs for languages whose functions take plain numbers: steps that are printed line by line.
 
-A target of such a language has a dialect, a template folder, and a reader of its own text, by which `validate` runs what
-is printed.
+A target of such a language has a dialect and a template folder. `validate` reads the printed programs again and runs
+them on exact numbers.
 """
 
 from __future__ import annotations
@@ -17,16 +17,14 @@ import numpy as np
 from ...maps.chart import Chart
 from ..descriptions import about, sections
 from ..lowering.scalar_programs import SCALARS, table_names
-from ..package import Data, Facts, Target
+from ..package import Facts, Target
 from ..programs.program import Assignment, Program
 from ..rows import Array, Function, Table
-from ..signatures import POSES, TABLE, ChartPrograms, Way, printed_geometry, way
-from ..validation import listings
+from ..signatures import Way, printed_geometry, way
 from ..validation.calls import require_calls
 from .c import NAMES
 from .expression import WIDTH, Dialect, Text, fill, lower_case, wrapped
-from .json import constants, listed
-
+from .json import constants
 
 PI = "3.14159265358979323846264338327950288419716939937510582097494"
 
@@ -141,7 +139,9 @@ def public(table: Table) -> list[Public]:
 
 def _small(row: Function) -> Function:
     """Return a row whose arrays have no names in capital letters."""
-    given, made = (tuple(a.called(NAMES.get(a.name, a.name)) for a in arrays) for arrays in (row.arguments, row.results))
+    given, made = (
+        tuple(a.called(NAMES.get(a.name, a.name)) for a in arrays) for arrays in (row.arguments, row.results)
+    )
     return replace(row, arguments=given, results=made)
 
 
@@ -159,7 +159,7 @@ def called(tables: Sequence[Table]) -> list[str]:
 
 def own(facts: Facts, tables: Sequence[Table]) -> dict[str, Program]:
     """Return the scalar programs of a chart, and those that only the shared programs name."""
-    known = facts.lowered.rotations.scalars | facts.lowered.poses.scalars
+    known = {**facts.lowered.rotations.scalars, **facts.lowered.poses.scalars}
     return {name: known.get(name) or SCALARS[name].placeholder(name) for name in called(tables)}
 
 
