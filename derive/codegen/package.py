@@ -7,7 +7,7 @@ import itertools
 import textwrap
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
-from functools import cached_property
+from functools import cache
 from pathlib import Path
 from typing import Any, Protocol
 
@@ -86,17 +86,13 @@ class Facts:
     def chart(self) -> Chart:
         return self.lowered.chart
 
-    @cached_property
+    @property
     def turns(self) -> list[tuple[str, str]]:
-        """Decimals of the two numbers that turn v to each branch; for an unbounded chart, to branch 1 only."""
-        with mpmath.workdps(PRINTED_DIGITS + 10):
-            return [(_decimal(a), _decimal(b)) for a, b in map(self.chart.turn, range(self.chart.branches) or [1])]
+        return turns(self.chart)
 
-    @cached_property
+    @property
     def returns(self) -> list[tuple[str, ...]]:
-        """Decimals of the table of returns, row by row."""
-        with mpmath.workdps(PRINTED_DIGITS + 10):
-            return [tuple(map(_decimal, row)) for row in self.chart.returns()]
+        return returns(self.chart)
 
     @property
     def singular_angles(self) -> list[str]:
@@ -144,6 +140,20 @@ class Facts:
         proved = f"Proved exactly: {own} identities of this chart{general}, listed in docs/theorems.md."
         title = f"{chart.title}, v = {chart.parameter.replace('α', 'alpha')} u"
         return [*head(command, template), "", title, *polynomials, proved]
+
+
+@cache
+def turns(chart: Chart) -> list[tuple[str, str]]:
+    """Return decimals of the two numbers that turn v to each branch; for an unbounded chart, to branch 1 only."""
+    with mpmath.workdps(PRINTED_DIGITS + 10):
+        return [(_decimal(a), _decimal(b)) for a, b in map(chart.turn, range(chart.branches) or [1])]
+
+
+@cache
+def returns(chart: Chart) -> list[tuple[str, ...]]:
+    """Return decimals of the table of returns, row by row."""
+    with mpmath.workdps(PRINTED_DIGITS + 10):
+        return [tuple(map(_decimal, row)) for row in chart.returns()]
 
 
 def command(target: str, *charts: Chart) -> str:

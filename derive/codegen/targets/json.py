@@ -18,7 +18,7 @@ import mpmath
 from ...maps.chart import Chart
 from ..descriptions import about, sections
 from ..lowering.scalar_programs import SCALARS, table_names
-from ..package import Data, Facts, Target
+from ..package import Data, Facts, Target, returns
 from ..programs.program import BESIDE, Assignment, Operand, Program
 from ..rows import Array, Function, Table, inside
 from ..signatures import RETURNED, ROTATIONS, STAYED, TABLE, ChartPrograms, printed_geometry, way
@@ -64,13 +64,14 @@ class Json(Target):
             sections(table)
 
     def validate(self, folder: Path, chart: Chart, geometry: bool) -> int:
-        return listings.validate(folder, chart, geometry, self.tables)
+        files = {table: inside(table, f"{chart.name}.json") for table in self.tables}
+        return listings.validate(files, lambda file, _: json.loads((folder / file).read_text("utf-8")), chart, geometry)
 
 
 def listed(facts: Facts, lowered: ChartPrograms) -> dict[str, Any]:
     """Return the chart, its numbers, its programs and its public functions as data."""
     chart, table = facts.chart, lowered.table
-    numbers = dict(zip(table_names(chart), map(_decimal, itertools.chain(*facts.returns)), strict=True))
+    numbers = {name: decimal(text) for name, text in numbers_of(chart).items()}
     return {
         "chart": chart.name,
         "kind": "rotations" if table is ROTATIONS else "poses",
@@ -79,7 +80,7 @@ def listed(facts: Facts, lowered: ChartPrograms) -> dict[str, Any]:
         "order": chart.order,
         "branches": chart.branches,
         "singular angles": facts.singular_angles,
-        "turns": [list(map(_decimal, pair)) for pair in facts.turns],
+        "turns": [list(map(decimal, pair)) for pair in facts.turns],
         "numbers": numbers,
         "programs": dict(_programs(chart, lowered, numbers)),
         "functions": {name: _function(name, lines, facts, table) for section in sections(table)
@@ -88,7 +89,12 @@ def listed(facts: Facts, lowered: ChartPrograms) -> dict[str, Any]:
     }  # fmt: skip
 
 
-def _decimal(text: str) -> dict[str, str]:
+def numbers_of(chart: Chart) -> dict[str, str]:
+    """Return the numbers of a chart as decimals by name."""
+    return dict(zip(table_names(chart), itertools.chain(*returns(chart)), strict=True))
+
+
+def decimal(text: str) -> dict[str, str]:
     return {"decimal": text, "float": float(mpmath.mpf(text)).hex()}
 
 
@@ -139,10 +145,6 @@ def _operand(operand: Operand) -> str | int:
 
 def _function(name: str, lines: tuple[str, ...], facts: Facts, table: Table) -> dict[str, Any]:
     row = {**table.public, **table.composed}[name]
-    runs, chart = way(row, table), facts.chart
-    stayed = "stay" if chart.ends else "copy"
-    program = {STAYED: stayed, RETURNED: "principal" if chart.branches != 1 else stayed}.get(runs.program, runs.program)
-    turned = {"then": runs.then, "instead": runs.instead}
     stated = {"domain": facts.domain.get(name, ""), "singular set": facts.singular.get(name, "")}
     return {
         "about": " ".join(lines),
@@ -150,6 +152,17 @@ def _function(name: str, lines: tuple[str, ...], facts: Facts, table: Table) -> 
         "arguments": [_array(array, table) for array in row.arguments],
         "branch": row.branch,
         "results": [_array(array, table) for array in row.results],
+        **wiring(row, table, facts.chart),
+    }
+
+
+def wiring(row: Function, table: Table, chart: Chart) -> dict[str, Any]:
+    """Return the programs that a public function of a chart runs, and the constants that the first of them takes."""
+    runs = way(row, table)
+    stayed = "stay" if chart.ends else "copy"
+    program = {STAYED: stayed, RETURNED: "principal" if chart.branches != 1 else stayed}.get(runs.program, runs.program)
+    turned = {"then": runs.then, "instead": runs.instead}
+    return {
         "program": program,
         "constants": list(map(_rational, constants(row, table))),
         **{key: text for key, text in turned.items() if text},

@@ -7,11 +7,14 @@ from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 
 from ... import about
+from ...maps.chart import Chart
 from ..lowering.scalar_programs import SCALARS
 from ..package import Data, Facts
 from ..rows import Table, inside
 from ..signatures import POSES, ROTATIONS, TABLE
+from ..validation.straight_text import Grammar
 from .expression import INDENT, OPERATORS, WIDTH, Dialect, Text
+from .json import OWN, numbers_of
 from .straight import (
     PI,
     Printed,
@@ -21,7 +24,6 @@ from .straight import (
     broken,
     called,
     double,
-    numbers_of,
     own,
     programs,
     public,
@@ -50,6 +52,29 @@ DIALECT = Dialect(
     OPERATORS, {name: f"T::{method}" for name, method in FUNCTIONS.items()} | {"where": "select"},
     literal=literal, reciprocal=reciprocal,
 )  # fmt: skip
+
+
+def program(text: str) -> str:
+    """Return the name of a program in listings, by the text of its head or of a call."""
+    name = text.split("::<")[0].split("::")[-1].split()[-1]
+    return f"{OWN}{name}" if text.startswith(("C::", "fn ")) else name
+
+
+GRAMMAR = Grammar(
+    head=r"^ *(?P<name>(?:pub\(crate\) )?fn (?!stayed|returned)\w+)(?:<C: Chart<T>, T: Real>)?"
+    r"\((?!k: i32)(?P<given>[^()]*)\) -> [^{]*\{",
+    end=r"^ *\}",
+    statements={
+        "unpacked": r"let \[(?P<names>[^\]]*)\] = (?P<whole>\w+)",
+        "call": r"let [\[(]?(?P<names>[^\])=]*)[\])]? = (?P<called>C::\w+|\w+::<C, T>)\((?P<given>.*)\)",
+        "value": r"let (?P<name>\w+) = (?P<value>.*)",
+        "result": r"\[?(?P<value>.*?)\]?",
+    },
+    functions={"select": "select", "T::of": "number", "T::number": "number"}
+    | {f"T::{method}": name for name, method in FUNCTIONS.items()},
+    program=program,
+    made=r"\w+: \[T; (\d+)\]",
+)
 
 
 def around(texts: Sequence[str]) -> tuple[str, Sequence[str], str]:
@@ -156,6 +181,10 @@ class Rust(Straight):
     comment = "//"
     dialect = DIALECT
     reserved = RESERVED
+    grammar = GRAMMAR
+
+    def texts(self, chart: Chart, table: Table) -> Sequence[str]:
+        return f"{chart.name}.rs", inside(table, "geometry.rs")
 
     def shared(self) -> Mapping[str, Callable[[], Data]]:
         geometry = {inside(table, "geometry.rs"): partial(self.geometry, table) for table in self.tables}
@@ -169,7 +198,7 @@ class Rust(Straight):
                 "functions": [(f, public_function(f)) for f in public(table)], "size": v.size}  # fmt: skip
 
     def module(self, facts: Facts) -> Data:
-        chart, numbers = facts.chart, numbers_of(facts)
+        chart, numbers = facts.chart, numbers_of(facts.chart)
         return {
             "name": chart.name,
             "type": chart.name.title().replace("_", ""),

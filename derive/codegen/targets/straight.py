@@ -6,25 +6,27 @@ them on exact numbers.
 
 from __future__ import annotations
 
-import itertools
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import Any
 
 import mpmath
 import numpy as np
 
 from ...maps.chart import Chart
 from ..descriptions import about, sections
-from ..lowering.scalar_programs import SCALARS, table_names
-from ..package import Facts, Target
+from ..lowering.scalar_programs import SCALARS
+from ..package import Facts, Target, turns
 from ..programs.program import Assignment, Program
 from ..rows import Array, Function, Table
 from ..signatures import Way, printed_geometry, way
+from ..validation import listings, straight_text
 from ..validation.calls import require_calls
+from ..validation.straight_text import Grammar
 from .c import NAMES
 from .expression import WIDTH, Dialect, Text, fill, lower_case, wrapped
-from .json import constants
+from .json import constants, decimal, numbers_of, wiring
 
 PI = "3.14159265358979323846264338327950288419716939937510582097494"
 
@@ -145,11 +147,6 @@ def _small(row: Function) -> Function:
     return replace(row, arguments=given, results=made)
 
 
-def numbers_of(facts: Facts) -> dict[str, str]:
-    """Return the numbers of a chart as decimals by name."""
-    return dict(zip(table_names(facts.chart), itertools.chain(*facts.returns), strict=True))
-
-
 def called(tables: Sequence[Table]) -> list[str]:
     """Return the names of the scalar programs that shared programs call, in the order of their table."""
     found = {call.function for table in tables for program in programs(table).values() for call in program.calls
@@ -192,6 +189,7 @@ class Straight(Target):
     """Target of a language whose functions take plain numbers."""
 
     dialect: Dialect
+    grammar: Grammar
     reserved: Collection[str] = ()
 
     def printed(self, program: Program, numbers: Mapping[str, str] | None = None) -> Printed:
@@ -203,5 +201,25 @@ class Straight(Target):
             require_calls(table)
             sections(table)
 
+    def texts(self, chart: Chart, table: Table) -> Sequence[str]:
+        """Return the files that hold the programs of a chart, those that all charts share included."""
+        raise NotImplementedError
+
     def validate(self, folder: Path, chart: Chart, geometry: bool) -> int:
-        return 0
+        """Read the printed programs again, and run them in the way that the table of functions says."""
+
+        def data(file: str, table: Table) -> dict[str, Any]:
+            numbers = numbers_of(chart)
+            near = {name: float(double(text)) for name, text in numbers.items()}
+            text = "\n".join((folder / name).read_text("utf-8") for name in self.texts(chart, table))
+            rows = {**table.public, **table.composed}
+            return {
+                "programs": straight_text.read(text, self.grammar, near),
+                "functions": {name: {"branch": row.branch, **wiring(row, table, chart)} for name, row in rows.items()},
+                "branches": chart.branches,
+                "turns": [list(map(decimal, pair)) for pair in turns(chart)],
+                "numbers": {name: decimal(text) for name, text in numbers.items()},
+            }
+
+        files = {table: self.texts(chart, table)[0] for table in self.tables}
+        return listings.validate(files, data, chart, geometry)

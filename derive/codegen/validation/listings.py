@@ -2,20 +2,17 @@
 
 from __future__ import annotations
 
-import json
 import operator
 from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
 from functools import partial
-from pathlib import Path
 from typing import Any
 
 import mpmath
 
 from ...algebra.arithmetic import PLAIN
 from ...maps.chart import Chart
-from ..rows import Table, inside
-from ..signatures import POSES
+from ..rows import Table
 from .batches import ValidationFailed, compare, composed
 from .decimals import EXACT_DIGITS, Decimal
 from .run import chosen
@@ -35,12 +32,15 @@ OF_DECIMALS: Mapping[str, Callable[..., Any]] = {
 
 
 class Listing:
-    """Programs of a chart, read from a file. ``made`` turns numbers of the file into a type of numbers."""
+    """Programs of a chart as data. ``made`` turns its numbers into a type of numbers."""
 
     def __init__(
-        self, path: Path, made: Callable[[Mapping[str, str]], Any], operations: Mapping[str, Callable[..., Any]] = {}
+        self,
+        data: Mapping[str, Any],
+        made: Callable[[Mapping[str, str]], Any],
+        operations: Mapping[str, Callable[..., Any]] = {},
     ) -> None:
-        self.data = json.loads(path.read_text(encoding="utf-8"))
+        self.data = data
         self.operations = {**OPERATIONS, **operations}
         self.made = made
         self.numbers = {name: made(number) for name, number in self.data["numbers"].items()}
@@ -81,16 +81,16 @@ class Listing:
         return list(map(value, program["results"]))
 
 
-def validate(folder: Path, chart: Chart, geometry: bool, tables: Sequence[Table] = (POSES,)) -> int:
-    """Run the functions of a chart's files; return the number of calls that equal the formula.
+def validate(files: Mapping[Table, str], read: Callable[[str, Table], Any], chart: Chart, geometry: bool) -> int:
+    """Run the functions of a chart's files, one for each table; return the number of calls that equal the formula.
 
-    Algebraic functions run on symbols, others on numbers of 50 digits. `ValidationFailed` names the function.
+    ``read`` returns the data of a file. Algebraic functions run on symbols, others on numbers of 50 digits.
+    `ValidationFailed` names the function.
     """
     count = 0
     with mpmath.workdps(EXACT_DIGITS):
-        for table in tables:
-            file = inside(table, f"{chart.name}.json")
-            listing = Listing(folder / file, _exact, OF_DECIMALS)
+        for table, file in files.items():
+            listing = Listing(read(file, table), _exact, OF_DECIMALS)
             for batch in (*chosen(chart, table, geometry), *composed(chart, table)):
                 for case in batch.cases:
                     call = partial(listing.call, batch.function, case.arguments, *batch.branch)
