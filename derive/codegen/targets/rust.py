@@ -67,6 +67,7 @@ GRAMMAR = Grammar(
     statements={
         "unpacked": r"let \[(?P<names>[^\]]*)\] = (?P<whole>\w+)",
         "call": r"let [\[(]?(?P<names>[^\])=]*)[\])]? = (?P<called>C::\w+|\w+::<C, T>)\((?P<given>.*)\)",
+        "number": r"let (?P<name>\w+) = T::number\((?P<value>[^,]*), [^,]*\)",
         "value": r"let (?P<name>\w+) = (?P<value>.*)",
         "result": r"\[?(?P<value>.*?)\]?",
     },

@@ -28,9 +28,9 @@ OPERATIONS = {
 class Grammar:
     """Statements of a language: patterns of a function's head and of statements, and names of functions.
 
-    ``head`` has the groups ``name`` and ``given``; ``end`` is the line that closes a function. ``call`` has the groups
-    ``names``, ``called`` and ``given``, ``value`` has ``name`` and ``value``, ``result`` has ``value``; further ones
-    unpack a list (``names``, ``whole``), or say nothing.
+    ``head`` has the groups ``name`` and ``given``; ``end`` is the line that closes a function. The kinds of statements
+    and their groups: ``value`` and ``number`` (of the chart) with ``name`` and ``value``; ``call`` with ``called`` and
+    ``given``, and ``names`` unless ``read`` follows; ``unpacked`` with ``names`` and ``whole``; ``result`` with ``value``.
     """
 
     head: str
@@ -67,12 +67,12 @@ class Body:
                 return
         raise ValidationFailed(f"no statement of a program: {text}")
 
+    def _number(self, name: str, value: str) -> None:
+        if float(value) != self.numbers.get(name):
+            raise ValidationFailed(f"the number {name} is {value}, not {self.numbers.get(name)}")
+
     def _value(self, name: str, value: str) -> None:
-        if name in self.numbers:
-            (number,) = re.findall(r"-?\d[-+.\de]*", value)[:1]
-            if float(number) != self.numbers[name]:
-                raise ValidationFailed(f"{name} is {number}, not {self.numbers[name]}")
-        elif (found := self.expression(value)) == (self.steps or [[None]])[-1][0]:
+        if (found := self.expression(value)) == (self.steps or [[None]])[-1][0]:
             self.steps[-1][0] = name
         else:
             self.steps.append([name, "add", 0, found])
