@@ -60,6 +60,7 @@ def program(text: str) -> str:
     return f"{OWN}{name}" if text.startswith(("C::", "fn ")) else name
 
 
+TRUTHS = {literal(0): "false", literal(1): "true"}
 GRAMMAR = Grammar(
     head=r"^ *(?P<name>(?:pub\(crate\) )?fn (?!stayed|returned)\w+)(?:<C: Chart<T>, T: Real>)?"
     r"\((?!k: i32)(?P<given>[^()]*)\) -> [^{]*\{",
@@ -120,7 +121,8 @@ def shared_function(program: Printed) -> Data:
 def chart_function(program: Printed) -> Data:
     """Return the data of a scalar program of a chart: it takes numbers and returns a tuple."""
     numbers = [f"    let {name} = {number(text)};" for name, text in program.numbers.items()]
-    lines = [*numbers, *map(step, program.steps), broken(*around(program.results), INDENT)]
+    results = [TRUTHS.get(text, text) if truth else text for text, truth in zip(program.results, program.truths)]
+    lines = [*numbers, *map(step, program.steps), broken(*around(results), INDENT)]
     return {"head": signature(program.name, program.components, program.truths), "text": "\n".join(lines)}
 
 

@@ -71,10 +71,10 @@ def printed(
     """Return a program in a dialect, without the words of the language among its names."""
     scalar = SCALARS.get(program.name)
     program = lower_case(program, reserved)
-    read = program.operands
-    known = {name: text for name, text in (numbers or {}).items() if name in read}
+    read, numbers = program.operands, numbers or {}
+    known = {name: numbers[name] for _, names in program.inputs for name in names if name in numbers and name in read}
     given = tuple(
-        (argument, tuple(name if name in read else "_" for name in names if name not in (numbers or {})))
+        (argument, tuple(name if name in read else "_" for name in names if name not in numbers))
         for argument, names in program.inputs
     )
     steps, results = _steps(program, dialect)

@@ -30,7 +30,8 @@ class Grammar:
 
     ``head`` has the groups ``name`` and ``given``; ``end`` is the line that closes a function. The kinds of statements
     and their groups: ``value`` and ``number`` (of the chart) with ``name`` and ``value``; ``call`` with ``called`` and
-    ``given``, and ``names`` unless ``read`` follows; ``unpacked`` with ``names`` and ``whole``; ``result`` with ``value``.
+    ``given``, and ``names`` unless ``read`` follows; ``unpacked`` with ``names`` and ``whole``; ``result`` with
+    ``value``.
     """
 
     head: str
@@ -159,7 +160,7 @@ class Body:
                 raise ValidationFailed(f"{token} is no number of the chart")
             return int(float(token))
         if not tokens or tokens[0] != "(":
-            return token
+            return {"false": 0, "true": 1}.get(token, token)
         tokens.pop(0)
         given = self._items(tokens, ")")
         tokens.pop(0)
