@@ -61,8 +61,8 @@ def run(folder: Path, cases: Sequence[Case], place: Path, dtype: Any = np.float6
     (place / "src" / "main.rs").write_text(program, encoding="utf-8")
     shapes = []
     for index, case in enumerate(cases):
-        given = np.concatenate(case.arguments, axis=1).astype(dtype)
-        shapes.append((len(given), sum(array.size for array in case.row.results)))
+        given = case.given(dtype)
+        shapes.append((len(given), case.size))
         given.tofile(place / f"{index}.in")
         np.zeros(shapes[-1], dtype).tofile(place / f"{index}.out")
     cargo(place, "run", "--quiet", "--offline")
@@ -90,7 +90,8 @@ def _function(index: int, case: Case, real: str) -> str:
     stored, at = [], 0
     for place, array in enumerate(row.results):
         part = "found" if len(row.results) == 1 else f"found.{place}"
-        stored.append(f"r[{at}] = {part};" if array.size == 1 else f"r[{at}..{at + array.size}].copy_from_slice(&{part});")
+        at_end = f"r[{at}..{at + array.size}].copy_from_slice(&{part});"
+        stored.append(f"r[{at}] = {part};" if array.size == 1 else at_end)
         at += array.size
     return (
         f"fn call{index}(given: &[{real}], made: &mut [{real}]) {{\n"
