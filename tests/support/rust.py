@@ -52,13 +52,11 @@ def find() -> str | None:
 def run(folder: Path, cases: Sequence[Case], place: Path, dtype: Any = np.float64) -> list[list[np.ndarray]]:
     """Return the results of a crate in a folder for each case; the program is built in another one."""
     real = "f64" if dtype == np.float64 else "f32"
-    (place / "src").mkdir(parents=True, exist_ok=True)
     texts = [_function(index, case, real) for index, case in enumerate(cases)]
     names = ", ".join(f"call{index}" for index in range(len(cases)))
     program = PROGRAM.format(real=real, size=np.dtype(dtype).itemsize, functions="\n".join(texts), count=len(cases),
                              names=names)  # fmt: skip
-    (place / "Cargo.toml").write_text(MANIFEST.format(folder=str(folder)), encoding="utf-8")
-    (place / "src" / "main.rs").write_text(program, encoding="utf-8")
+    write(place, folder, program)
     shapes = []
     for index, case in enumerate(cases):
         given = case.given(dtype)
@@ -68,6 +66,13 @@ def run(folder: Path, cases: Sequence[Case], place: Path, dtype: Any = np.float6
     cargo(place, "run", "--quiet", "--offline")
     made = (np.fromfile(place / f"{index}.out", dtype).reshape(shape) for index, shape in enumerate(shapes))
     return [parted(case, found) for case, found in zip(cases, made)]
+
+
+def write(place: Path, folder: Path, program: str) -> None:
+    """Write a package with a program that uses the crate in a folder."""
+    (place / "src").mkdir(parents=True, exist_ok=True)
+    (place / "Cargo.toml").write_text(MANIFEST.format(folder=str(folder)), encoding="utf-8")
+    (place / "src" / "main.rs").write_text(program, encoding="utf-8")
 
 
 def cargo(place: Path, *arguments: str) -> str:

@@ -6,6 +6,7 @@ import ctypes
 import subprocess
 import sys
 from collections.abc import Callable
+from functools import cache
 from pathlib import Path
 
 import numpy as np
@@ -40,7 +41,7 @@ ALTERED = {
 @pytest.fixture(scope="module")
 def headers(tmp_path_factory: pytest.TempPathFactory) -> Callable[..., ctypes.CDLL]:
     """Provide a function that compiles the C headers of charts in a real type."""
-    return lambda names, real="double": languages.reference(tmp_path_factory.mktemp("c"), names, real)
+    return cache(lambda names, real="double": languages.reference(tmp_path_factory.mktemp("c"), names, real))
 
 
 def wrong(language: str, names: tuple[str, ...], library: ctypes.CDLL, folder: Path, dtype=np.float64) -> list[str]:
@@ -78,14 +79,15 @@ def test_printer_of_the_guide_gives_the_bits_of_c_in_fortran(name, function, hea
     text = subprocess.run(command, cwd=tmp_path, capture_output=True, check=True).stdout
     (tmp_path / "program.f90").write_bytes(text)
     flags = ("-O2", "-Wall", "-Werror", "-Wno-unused-dummy-argument", "-ffp-contract=off", "-ffree-line-length-none")
-    subprocess.run(["gfortran", *flags, "-shared", "-fPIC", "program.f90", "-o", "program.so"], cwd=tmp_path, check=True)
+    build = ["gfortran", *flags, "-shared", "-fPIC", "program.f90", "-o", "program.so"]
+    subprocess.run(build, cwd=tmp_path, check=True)
     program = getattr(ctypes.CDLL(str(tmp_path / "program.so")), f"__dualcay_MOD_{function}")
     [case] = [case for case in languages.cases(name) if (case.table, case.function) == ("", function)]
     made = np.empty((len(case.given()), case.size))
     for given, row in zip(case.given(), made, strict=True):
         numbers = (number for array in (given, row) for number in np.split(array, array.size))
         program(*(number.ctypes.data_as(ctypes.c_void_p) for number in numbers))
-    for one, other in zip(languages.parted(case, made), expected(case, headers([name])), strict=True):
+    for one, other in zip(languages.parted(case, made), expected(case, headers((name,))), strict=True):
         assert not differing(one, other).any()
 
 
