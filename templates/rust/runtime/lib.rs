@@ -1,4 +1,3 @@
-{{ header }}
 //! Rigid displacements and rotations by vectors v = phi(alpha) u, without allocation.
 //!
 //! Each module is a chart: `cayley2`, for example, holds the functions of the Cayley map of order 2. Modules in
