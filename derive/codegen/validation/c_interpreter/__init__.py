@@ -29,6 +29,11 @@ def _remainder(a: int, b: int) -> int:
     return abs(a) % abs(b) * (-1 if a < 0 else 1)
 
 
+def _chosen(condition: Any, one: Callable[[], Any], other: Callable[[], Any]) -> Any:
+    """Return the value of one side of a selection; the other is not computed."""
+    return one() if condition else other()
+
+
 @dataclass(frozen=True, slots=True)
 class Unit:
     """Functions of a translation unit, its preprocessed source, and the names of functions called so far."""
@@ -61,10 +66,13 @@ def load(
     folder: Path | None = None,
     defines: Mapping[str, str] | None = None,
     instead: Mapping[str, Callable[..., Any]] | None = None,
+    constant: Callable[[Any], Any] = Fraction,
+    choose: Callable[..., Any] = _chosen,
 ) -> Unit:
     """Read C text, whose quoted includes are files of a folder; a `CError` names any text outside the subset of C.
 
-    Functions named in ``instead`` are replaced by functions of Python when others call them.
+    Functions named in ``instead`` are replaced by functions of Python when others call them. ``constant`` makes real
+    constants, of decimals and integers. ``choose`` takes a condition and two functions that return the values of sides.
 
     Examples
     --------
@@ -78,7 +86,7 @@ def load(
     for node in source.tree.ext:
         translator.external(node)
     names: dict[str, Any] = {f"f_{name}": function for name, (_, function) in LIBRARY.items()}
-    names |= {"CError": CError, "Fraction": Fraction, "Pointer": Pointer, "UNSET": UNSET}
+    names |= {"CError": CError, "Fraction": constant, "Pointer": Pointer, "UNSET": UNSET, "choose": choose}
     names |= {"remainder": _remainder, "called": called}
     exec(compile("\n".join(translator.lines), FILE, "exec", dont_inherit=True), names)
     names |= {f"f_{name}": function for name, function in (instead or {}).items()}

@@ -217,7 +217,7 @@ class Translator:
                 sides = self._value(node.iftrue), self._value(node.iffalse)
                 type_ = max(side.type for side in sides)  # "real" if either side is real
                 first, second = (converted(node, side, type_) for side in sides)
-                return Value(type_, f"({first} if {self._integer(node.cond)} else {second})")
+                return Value(type_, f"choose({self._integer(node.cond)}, lambda: {first}, lambda: {second})")
             case c_ast.Cast():
                 type_ = self._type(node.to_type)
                 return Value(type_, converted(node, self._value(node.expr), type_))
