@@ -231,13 +231,15 @@ class Machine:
                 return each >> 8 * start & (1 << 8 * width) - 1
             if each.kind == "joined" and width == 4 and start in (0, 4):
                 return each.parts[start // 4]
-            return self.unset
+            return each if each is self.unset else self.trees.unknown("half", each, start)
 
         return self.trees.lift(leaf, value)
 
     def _joined(self, low: Any, high: Any) -> Any:
         def leaf(a: Any, b: Any) -> Any:
-            return a | b << 32 if isinstance(a, int) and isinstance(b, int) else self.trees.make("joined", a, b)
+            if isinstance(a, int) and isinstance(b, int):
+                return a | b << 32
+            return self.trees.make("joined", a, b) if self.unit == 4 else self.trees.unknown("joined", a, b)
 
         return self.trees.lift(leaf, low, high)
 
@@ -455,7 +457,7 @@ class Machine:
         if isinstance(mask, Tree):
             if self.unset in (a, b):
                 return self.unset
-            raise Declined(f"a bitwise {name} of two numbers")
+            return self.trees.unknown(name, a, b)
         if number.kind == "joined" and self.unit == 4:
             halves = [self._bits_of(name, part, mask >> 32 * place & ones) for place, part in enumerate(number.parts)]
             return self._joined(*halves)
@@ -469,7 +471,7 @@ class Machine:
             pattern = number.parts[0] if number.kind == "const" else number.parts[0].parts[0] | sign
             return INTEGERS[name](pattern, mask)
         if (name, mask) not in known:
-            raise Declined(f"a bitwise {name} of a number with {mask:#x}")
+            return self.trees.unknown(name, a, b)
         return known[name, mask]() if number is not self.unset or name == "and" else self.unset
 
     # --- vectors ------------------------------------------------------------------------------------------------------
@@ -514,9 +516,7 @@ class Machine:
         self._set(state, target, [self._bits(name.removesuffix("n"), a, b) for a, b in zip(kept, given, strict=True)])
 
     def _inverted(self, value: Any) -> Any:
-        if not isinstance(value, int):
-            raise Declined("the complement of a number")
-        return value ^ self.trees.ones
+        return value ^ self.trees.ones if isinstance(value, int) else self.trees.unknown("not", value)
 
     def _compare(self, state: State, each: Instruction, relation: str, form: str, _: str) -> None:
         source, target = each.operands
@@ -615,10 +615,12 @@ class Machine:
         given = self.vector(state, each, source, count)
         both = [*state.vectors[target.vector], *given, *[self.unset] * (self.lanes - count)]
         if self.unit == 8:
-            if any(a % 2 or b != a + 1 for a, b in zip(places[::2], places[1::2], strict=True)):
-                raise Declined(f"{each.text}: it tears numbers apart")
-            places = [place // 2 for place in places[::2]]
-        state.vectors[target.vector] = [both[place] for place in places]
+            pairs = list(zip(places[::2], places[1::2], strict=True))
+            made = [both[a // 2] if not a % 2 and b == a + 1 else
+                    self._joined(*(self._half(both[place // 2], place % 2 * 4, 4) for place in (a, b))) for a, b in pairs]
+            state.vectors[target.vector] = made
+        else:
+            state.vectors[target.vector] = [both[place] for place in places]
 
     def _convert(self, state: State, each: Instruction, _: str) -> None:
         """Convert a known integer to a number."""
@@ -638,6 +640,26 @@ class Machine:
         kept = [*kept[count:], *[0] * count] if direction == "r" else [*[0] * count, *kept[: self.lanes - count]]
         state.vectors[target.vector] = kept
 
+    def _shift_bits(self, state: State, each: Instruction, direction: str, kind: str, letter: str) -> None:
+        """Shift the bits of patterns, such as those of comparisons."""
+        amount, target = each.operands
+        width, count = WIDTHS.get(letter, 4), amount.immediate
+        if count is None or width > self.unit:
+            raise Declined(f"no instruction that is known: {each.text}")
+        ones = (1 << 8 * width) - 1
+
+        def leaf(value: Any) -> Any:
+            if not isinstance(value, int):
+                return self.trees.unknown(each.name, value)
+            made = 0
+            for start in range(0, 8 * self.unit, 8 * width):
+                part = value >> start & ones
+                part = signed(part, width) if kind == "a" else part
+                made |= (part >> count if direction == "r" else part << count & ones) % (ones + 1) << start
+            return made
+
+        state.vectors[target.vector] = [self.trees.lift(leaf, value) for value in state.vectors[target.vector]]
+
 
 VECTOR_TABLE = (
     (r"(add|sub|mul|div|min|max|sqrt)([sp])(?P<real>[sd])", "_operation"),
@@ -653,5 +675,6 @@ VECTOR_TABLE = (
     (r"shufp[sd]|unpck[lh]p[sd]|pshufd|punpck[lh](?:qdq|dq)|movddup", "_shuffle"),
     (r"cvtsi2s(?P<real>[sd])[lq]?", "_convert"),
     (r"ps([lr])ldq", "_shift"),
+    (r"ps([lr])([la])([qd])", "_shift_bits"),
 )
 """Patterns of instructions on vectors, and the methods that execute them on what their groups name."""

@@ -4,7 +4,8 @@ Two programs whose trees are one object compute the same bits. Trees are brought
 hold for every float, infinities, signed zeros and NaN included; only sign and payload of a NaN are left open:
 a + b = b + a, a b = b a, a - b = a + (-b), (-a) b = -(a b), a / b likewise, 2 a = a + a,
 (-a) + (-a) = -(a + a), 1 a = a, a + (-0) = a,
-a / 2^k = a 2^-k, |-a| = |a|, and the values of operations on constants.
+a / 2^k = a 2^-k, |-a| = |a|, |a| = a for sums of
+squares, and the values of operations on constants.
 """
 
 from __future__ import annotations
@@ -46,7 +47,7 @@ class Tree:
         if kind == "choice":
             self.pairs |= {parts[0]}
 
-    def text(self, depth: int = 5) -> str:
+    def text(self, depth: int = 7) -> str:
         """Return the tree as text down to a depth."""
         if self.kind in LEAVES:
             return " ".join([self.kind, *map(str, self.parts)])
@@ -116,7 +117,7 @@ class Trees:
 
     def absolute(self, a: Tree) -> Tree:
         inner = a.parts[0] if a.kind == "neg" else a
-        return inner if inner.kind in ("abs", "const", "unset") else self.make("abs", inner)
+        return inner if _unsigned(inner) or inner is self.unset else self.make("abs", inner)
 
     def add(self, a: Tree, b: Tree) -> Tree:
         for one, other in ((a, b), (b, a)):
@@ -246,13 +247,17 @@ class Trees:
         if not pairs:
             return False
         pair = min(pairs, key=lambda each: each.rank)
-        return all(self.equal(*(self._in_case(each, pair, place, {}) for each in (a, b))) for place in range(1, 5))
+        return all(self.equal(*(self._in_case(each, pair, place) for each in (a, b))) for place in range(1, 5))
+
+    def unknown(self, *values: Any) -> Tree:
+        """Return a value of which nothing is known."""
+        return self.make("unknown", *values)
 
     def difference(self, a: Any, b: Any) -> tuple[Any, Any]:
         """Return the first operations that differ in two trees, for relations of numbers where these differ."""
         while isinstance(a, Tree) and isinstance(b, Tree) and a.pairs | b.pairs:
             pair = min((pair for pair in a.pairs | b.pairs if not pair.pairs), key=lambda each: each.rank)
-            cases = [[self._in_case(each, pair, place, {}) for each in (a, b)] for place in range(1, 5)]
+            cases = [[self._in_case(each, pair, place) for each in (a, b)] for place in range(1, 5)]
             a, b = next((x, y) for x, y in cases if not self.equal(x, y))
         while isinstance(a, Tree) and isinstance(b, Tree) and a.kind == b.kind:
             parts = [(x, y) for x in a.parts if x not in b.parts for y in b.parts if y not in a.parts]
@@ -261,18 +266,25 @@ class Trees:
             a, b = parts[0]
         return a, b
 
-    def _in_case(self, tree: Any, pair: Tree, place: int, done: dict[Tree, Any]) -> Any:
+    def _in_case(self, tree: Any, pair: Tree, place: int) -> Any:
         """Return a tree where a pair of numbers stands in the relation at a place of its choices."""
-        if not isinstance(tree, Tree) or pair not in tree.pairs:
-            return tree
-        if tree not in done:
-            if tree.kind == "choice" and tree.parts[0] is pair:
-                done[tree] = self._in_case(tree.parts[place], pair, place, done)
-            else:
-                made = self.rebuilt(tree, lambda each: self._in_case(each, pair, place, done))
-                again = isinstance(made, Tree) and made.kind == "choice" and made.parts[0] is pair
-                done[tree] = made.parts[place] if again else made
-        return done[tree]
+        done: dict[Tree, Any] = {}
+        if RELATIONS[place - 1] == "equal":
+            for one, other in (pair.parts, pair.parts[::-1]):
+                value = self._value(other)
+                if value or (value == 0 and _unsigned(one) and not np.signbit(value)):  # equal, hence the same bits
+                    done[one] = other
+
+        def walk(each: Any) -> Any:
+            if not isinstance(each, Tree) or (pair not in each.pairs and not done) or each.kind in LEAVES:
+                return done.get(each, each) if isinstance(each, Tree) else each
+            if each not in done:
+                made = each if each.kind == "choice" and each.parts[0] is pair else self.rebuilt(each, walk)
+                chosen = isinstance(made, Tree) and made.kind == "choice" and made.parts[0] is pair
+                done[each] = walk(made.parts[place]) if chosen else made
+            return done[each]
+
+        return walk(tree)
 
     def rebuilt(self, tree: Tree, changed: Callable[[Any], Any]) -> Any:
         """Return the operation of a tree on changed operands, in normal form."""
@@ -291,6 +303,13 @@ class Trees:
         if tree not in done:
             done[tree] = self.rebuilt(tree, lambda each: self.renamed(each, names, done))
         return done[tree]
+
+
+def _unsigned(a: Tree) -> bool:
+    """Return whether a number has no minus sign whatever is given, as a square and a sum of such numbers."""
+    if a.kind in ("add", "mul", "div"):
+        return (a.kind == "mul" and a.parts[0] is a.parts[1]) or all(map(_unsigned, a.parts))
+    return a.kind in ("abs", "const")
 
 
 def same(a: Any, b: Any) -> bool:
