@@ -94,6 +94,7 @@ class Proof:
                 yield self.verdict(name, names[name.removesuffix("_rows")] if rows else function, rows)
 
     def verdict(self, name: str, function: Signature, rows: bool) -> Verdict:
+        self.source.trees.forget()
         try:
             if name not in self.listing.functions:
                 raise Declined("it is not in the machine code")

@@ -14,7 +14,7 @@ from functools import partial
 from typing import Any
 
 from .assembly import EXIT, REGISTERS, Instruction, Listing, Operand
-from .rounded import RELATIONS, Declined, Tree, Trees, same
+from .rounded import PATTERNS, RELATIONS, Declined, Tree, Trees, same
 from .statements import MachineError
 
 STACK, STACK_SIZE = 0x7FFF_FFFF_0008, 1 << 20
@@ -182,7 +182,11 @@ class Machine:
         two = self._run(other, each.next, stop) if each.next != stop else other
 
         def choose(a: Any, b: Any) -> Any:
-            return a if a is b or same(a, b) else self.trees.lift(lambda t, x, y: x if t else y, truth, a, b)
+            if a is b or same(a, b):
+                return a
+            if any(isinstance(value, Tree) and value.kind not in PATTERNS for value in (a, b)):
+                a, b = self.trees.number(a), self.trees.number(b)
+            return self.trees.lift(lambda t: a if t else b, truth)
 
         for name in one.registers:
             one.registers[name] = choose(one.registers[name], two.registers[name])
@@ -231,7 +235,8 @@ class Machine:
                 return each >> 8 * start & (1 << 8 * width) - 1
             if each.kind == "joined" and width == 4 and start in (0, 4):
                 return each.parts[start // 4]
-            return each if each is self.unset else self.trees.unknown("half", each, start)
+            whole = each is self.unset or (width == self.unit and not start)
+            return each if whole else self.trees.unknown("half", each, start)
 
         return self.trees.lift(leaf, value)
 
@@ -296,7 +301,7 @@ class Machine:
         if operand.memory is not None:
             return self.load(state, self.address(state, each, operand), width)
         value = state.registers[REGISTERS[operand.register][0]]
-        return value & (1 << 8 * width) - 1 if isinstance(value, int) else value if width >= self.unit else self._half(value, 0, width)
+        return value if width == 8 else self._half(value, 0, width)
 
     def put(self, state: State, each: Instruction, operand: Operand, width: int, value: Any) -> None:
         if operand.memory is not None:
@@ -407,7 +412,11 @@ class Machine:
         elif name in ("shr", "sar"):
             count = self._known(get(operands[0], 1)) & (63 if width == 8 else 31) if len(operands) > 1 else 1
             view = (lambda v: signed(self._known(v), width)) if name == "sar" else self._known
-            value = lift(lambda v: (view(v) >> count) & (1 << 8 * width) - 1, get(operands[-1], width))
+            value = get(operands[-1], width)
+            if (name, count, width, self.unit) == ("shr", 32, 8, 4):
+                value = self._half(value, 4, 4)
+            else:
+                value = lift(lambda v: (view(v) >> count) & (1 << 8 * width) - 1, value)
             state.flags = ("integers", width, value, 0, False)
             put(operands[-1], width, value)
         elif name in INTEGERS:

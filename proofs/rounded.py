@@ -13,7 +13,8 @@ from __future__ import annotations
 import math
 import operator
 import struct
-from collections.abc import Callable, Mapping, Sequence
+import zlib
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from typing import Any
 
@@ -24,8 +25,11 @@ from .statements import MachineError
 RELATIONS = ("less", "equal", "greater", "unordered")
 MIRROR = {"less": "greater", "greater": "less", "equal": "equal", "unordered": "unordered"}
 TYPES: dict[str, tuple[Any, str, str]] = {"double": (np.float64, "<d", "<Q"), "float": (np.float32, "<f", "<I")}
+SCALES = np.array([1.0, 1.0, 0.1, 3.0, 1e-4, 10.0, 0.0, 1e-9])  # of samples
+CHOICES = ("choice", "number")
+PATTERNS = ("choice", "joined")
 LEAVES = ("given", "const", "saved", "unset")
-COMPARISONS = 500_000  # largest number of pairs of trees that are compared
+COMPARISONS = 20_000  # largest number of pairs of trees that are compared
 
 
 class Declined(MachineError):
@@ -34,6 +38,8 @@ class Declined(MachineError):
 
 class Tree:
     """Operation with its operands; ``choice`` stands for one of four values by the relation of a pair of numbers.
+
+    A choice of which all values are numbers is a ``number``: operations take it as one operand.
 
     ``pairs`` are all pairs on which the tree depends.
     """
@@ -44,7 +50,7 @@ class Tree:
         self.kind, self.parts, self.rank = kind, parts, rank
         found = [part.pairs for part in parts if isinstance(part, Tree) and part.pairs]
         self.pairs: frozenset[Tree] = found[0] if len(found) == 1 else frozenset().union(*found)
-        if kind == "choice":
+        if kind in CHOICES:
             self.pairs |= {parts[0]}
 
     def text(self, depth: int = 7) -> str:
@@ -68,6 +74,8 @@ class Trees:
         self.table: dict[tuple[Any, ...], Tree] = {}
         self.unset = self.make("unset")
         self.compared = dict[tuple[Tree, Tree], bool]()
+        self.cases = dict[tuple[Tree, int], dict[Tree, Any]]()
+        self.samples = dict[Tree, Any]()
 
     def make(self, kind: str, *parts: Any) -> Tree:
         key = (kind, *parts)
@@ -104,9 +112,9 @@ class Trees:
 
     def _folded(self, operation: Callable[..., Any], *operands: Tree) -> Tree | None:
         """Return the rounded value of an operation on constants."""
-        values = [self._value(each) for each in operands]
-        if any(value is None for value in values):
+        if any("const" not in (each.kind, each.kind == "neg" and each.parts[0].kind) for each in operands):
             return None
+        values = [self._value(each) for each in operands]
         with np.errstate(all="ignore"):
             return self.bits(self._pattern(operation(*values)))
 
@@ -198,7 +206,10 @@ class Trees:
         return self.make("pair", *((a.parts[0], self.negated(b)) if turned else (a, b))), swapped != turned
 
     def _choice(self, pair: Tree, values: Sequence[Any]) -> Any:
-        return values[0] if all(same(value, values[0]) for value in values) else self.make("choice", pair, *values)
+        if all(same(value, values[0]) for value in values):
+            return values[0]
+        numbers = all(isinstance(value, Tree) and value.kind not in PATTERNS for value in values)
+        return self.make("number" if numbers else "choice", pair, *values)
 
     def lift(self, function: Callable[..., Any], *values: Any) -> Any:
         """Return the value of a function, taken on every branch of the choices among its operands."""
@@ -230,13 +241,45 @@ class Trees:
         if (a, b) not in self.compared:
             if len(self.compared) > COMPARISONS:
                 raise Declined(f"more than {COMPARISONS} comparisons of trees")
-            self.compared[a, b] = False  # until it is found
-            self.compared[a, b] = self._alike(a, b) or self._equal_in_cases(a, b)
+            agree = self.sample(a).tobytes() == self.sample(b).tobytes()
+            self.compared[a, b] = agree and (self._alike(a, b) or self._equal_in_cases(a, b))
         return self.compared[a, b]
+
+    def sample(self, tree: Any) -> Any:
+        """Return the values of a tree for some numbers that are given; trees whose values differ are not equal."""
+        if not isinstance(tree, Tree):
+            return np.full(len(SCALES), tree, float).astype(self.type)
+        if tree not in self.samples:
+            with np.errstate(all="ignore"):
+                made = np.asarray(self._sampled(tree), self.type)
+            self.samples[tree] = np.where(np.isnan(made), self.type(math.nan), made)
+        return self.samples[tree]
+
+    def _sampled(self, tree: Tree) -> Any:
+        if tree.kind == "const":
+            return np.full(len(SCALES), self._value(tree))
+        if tree.kind in CHOICES:
+            a, b = map(self.sample, tree.parts[0].parts)
+            return np.select([a < b, a == b, a > b], [self.sample(part) for part in tree.parts[1:4]],
+                             self.sample(tree.parts[4]))  # fmt: skip
+        known = {"add": np.add, "mul": np.multiply, "div": np.divide, "neg": np.negative, "abs": np.abs, "sqrt": np.sqrt}
+        if tree.kind in known:
+            return known[tree.kind](*map(self.sample, tree.parts))
+        if tree.kind in LEAVES:
+            return np.random.default_rng(zlib.crc32(repr((tree.kind, tree.parts)).encode())).normal(size=len(SCALES)) * SCALES
+        text = tree.kind.encode() + b"".join(
+            self.sample(part).tobytes() if isinstance(part, Tree) else repr(part).encode() for part in tree.parts
+        )
+        return np.random.default_rng(zlib.crc32(text)).normal(size=len(SCALES))
+
+    def forget(self) -> None:
+        """Forget which trees were compared."""
+        self.compared.clear()
+        self.cases.clear()
 
     def _alike(self, a: Tree, b: Tree) -> bool:
         """Return whether two trees are one operation on equal operands."""
-        if a.kind != b.kind or a.kind == "choice" or len(a.parts) != len(b.parts) or not (a.pairs or b.pairs):
+        if a.kind != b.kind or a.kind in CHOICES or len(a.parts) != len(b.parts) or not (a.pairs or b.pairs):
             return False
         orders = [b.parts, b.parts[::-1]] if a.kind in ("add", "mul") else [b.parts]
         return any(all(map(self.equal, a.parts, order)) for order in orders)
@@ -268,27 +311,31 @@ class Trees:
 
     def _in_case(self, tree: Any, pair: Tree, place: int) -> Any:
         """Return a tree where a pair of numbers stands in the relation at a place of its choices."""
-        done: dict[Tree, Any] = {}
-        if RELATIONS[place - 1] == "equal":
-            for one, other in (pair.parts, pair.parts[::-1]):
-                value = self._value(other)
-                if value or (value == 0 and _unsigned(one) and not np.signbit(value)):  # equal, hence the same bits
-                    done[one] = other
+        if (pair, place) not in self.cases:
+            self.cases[pair, place] = dict(self._same_bits(pair) if RELATIONS[place - 1] == "equal" else ())
+        done = self.cases[pair, place]
 
         def walk(each: Any) -> Any:
-            if not isinstance(each, Tree) or (pair not in each.pairs and not done) or each.kind in LEAVES:
+            if not isinstance(each, Tree) or each.kind in LEAVES:
                 return done.get(each, each) if isinstance(each, Tree) else each
             if each not in done:
-                made = each if each.kind == "choice" and each.parts[0] is pair else self.rebuilt(each, walk)
-                chosen = isinstance(made, Tree) and made.kind == "choice" and made.parts[0] is pair
+                made = each if each.kind in CHOICES and each.parts[0] is pair else self.rebuilt(each, walk)
+                chosen = isinstance(made, Tree) and made.kind in CHOICES and made.parts[0] is pair
                 done[each] = walk(made.parts[place]) if chosen else made
             return done[each]
 
         return walk(tree)
 
+    def _same_bits(self, pair: Tree) -> Iterator[tuple[Tree, Tree]]:
+        """Yield a number with the constant whose bits it has if they are equal: zeros may differ in sign."""
+        for one, other in (pair.parts, pair.parts[::-1]):
+            value = self._value(other)
+            if value or (value == 0 and _unsigned(one) and not np.signbit(value)):
+                yield one, other
+
     def rebuilt(self, tree: Tree, changed: Callable[[Any], Any]) -> Any:
         """Return the operation of a tree on changed operands, in normal form."""
-        if tree.kind == "choice":
+        if tree.kind in CHOICES:
             (a, b), values = map(changed, tree.parts[0].parts), map(changed, tree.parts[1:])
             return self.choose(self.number(a), self.number(b), dict(zip(RELATIONS, values, strict=True)))
         parts = [self.number(changed(part)) for part in tree.parts]
