@@ -48,9 +48,11 @@ check-theorems: $(READY)
 proofs: $(READY)  ## prove all theorems, require that every control fails, and write docs/theorems.md
 	$(RUN) -m docs.pages.proving -o docs/theorems.md
 
-machine-proofs: $(READY)  ## check theorems and emitted programs with Coq, rounding with Gappa (apt-get install coq gappa)
+machine-proofs: $(READY)  ## check theorems and emitted programs with Coq, rounding with Gappa, machine code (apt-get install coq gappa)
 	$(RUN) -m proofs
 	$(RUN) -m proofs.bridge
+	$(RUN) -m derive generate --target c -n 2 -o build/bytes
+	$(RUN) -m proofs.bytes build/bytes --chart cayley2 --real double
 	@if command -v gappa > /dev/null; then $(RUN) -m proofs.rounding --check $(BOUNDS); \
 	    else echo "skipped: bounds of rounding errors need Gappa (apt-get install gappa)"; fi
 

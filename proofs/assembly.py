@@ -5,13 +5,12 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass, field
-from functools import cached_property
 from typing import NamedTuple
 
 from .rounded import Declined
 
 EXIT = -1  # where a function returns, in its graph
-FIRST = "rax rcx rdx rbx rsp rbp rsi rdi".split()
+FIRST = ("rax", "rcx", "rdx", "rbx", "rsp", "rbp", "rsi", "rdi")
 REGISTERS: dict[str, tuple[str, int]] = {"rip": ("rip", 8)}
 """Whole register and width in bytes of each integer register."""
 for _name in FIRST:
@@ -27,7 +26,7 @@ class Memory(NamedTuple):
 
     displacement: int
     base: str
-    index: str
+    other: str
     scale: int
 
 
@@ -51,24 +50,32 @@ class Instruction(NamedTuple):
     text: str
 
 
+class Code(dict[int, Instruction]):
+    """Instructions by address, each read from its line when it is first asked for."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.lines: dict[int, tuple[int, str]] = {}
+
+    def __missing__(self, address: int) -> Instruction:
+        if address not in self.lines:
+            raise Declined(f"no instruction at {address:#x}")
+        self[address] = _instruction(address, *self.lines[address])
+        return self[address]
+
+
 @dataclass
 class Listing:
     """Instructions and constants of a program, and the names of its functions."""
 
-    code: dict[int, Instruction] = field(default_factory=dict)
+    code: Code = field(default_factory=Code)
     functions: dict[str, int] = field(default_factory=dict)
     names: dict[int, str] = field(default_factory=dict)
     data: dict[int, int] = field(default_factory=dict)
     joins: dict[int, int] = field(default_factory=dict)
 
-    @cached_property
-    def starts(self) -> set[int]:
-        return set(self.names)
-
     def follow(self, address: int) -> list[int]:
         """Return the addresses after an instruction; calls return, and a jump to a library function returns."""
-        if address not in self.code:
-            raise Declined(f"no instruction at {address:#x}")
         each = self.code[address]
         if each.name == "ret" or (each.name == "jmp" and (each.target is None or self.library(each.target))):
             return [EXIT]
@@ -171,7 +178,7 @@ def read(text: str) -> Listing:
             lines.append((int(found[1], 16), found[2]))
     for place, (address, body) in enumerate(lines):
         after = lines[place + 1][0] if place + 1 < len(lines) else address
-        made.code[address] = _instruction(address, after, body)
+        made.code.lines[address] = (after, body)
     return made
 
 

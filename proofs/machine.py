@@ -40,8 +40,8 @@ CONDITIONS: Mapping[str, Callable[[int, int], bool]] = {
     "b": operator.lt, "ae": operator.ge, "be": operator.le, "a": operator.gt, "s": operator.lt, "ns": operator.ge,
 }  # fmt: skip
 """Conditions after a comparison of integers; b, ae, be and a are of unsigned ones, s and ns of their difference."""
-SAME = {"c": "b", "nc": "ae", "nae": "b", "nb": "ae", "z": "e", "nz": "ne", "na": "be", "nbe": "a", "nge": "l", "nl": "ge",
-        "ng": "le", "nle": "g", "pe": "p", "po": "np"}  # fmt: skip
+SAME = {"c": "b", "nc": "ae", "nae": "b", "nb": "ae", "z": "e", "nz": "ne", "na": "be", "nbe": "a", "nge": "l",
+        "nl": "ge", "ng": "le", "nle": "g", "pe": "p", "po": "np"}  # fmt: skip
 INTEGERS: Mapping[str, Callable[..., int]] = {
     "add": operator.add, "sub": operator.sub, "and": operator.and_, "or": operator.or_, "xor": operator.xor,
     "imul": operator.mul, "inc": lambda a: a + 1, "dec": lambda a: a - 1, "neg": operator.neg, "not": operator.invert,
@@ -116,9 +116,7 @@ class Machine:
     def _run(self, state: State, address: int, stop: int) -> State:
         """Execute instructions up to an address, or until the function returns."""
         while address != stop:
-            each = self.listing.code.get(address)
-            if each is None:
-                raise Declined(f"no instruction at {address:#x}")
+            each = self.listing.code[address]
             self.executed.add(address)
             self.steps += 1
             if self.steps > STEPS:
@@ -224,7 +222,7 @@ class Machine:
             if STACK - STACK_SIZE <= address < STACK and width == self.unit:
                 return self.unset
         if width > 4 and cell is not None:
-            return self._joined(self.load(state, address, width // 2), self.load(state, address + width // 2, width // 2))
+            return self._joined(*(self.load(state, address + start, width // 2) for start in (0, width // 2)))
         if STACK - STACK_SIZE <= address < STACK:
             return self.unset
         raise Different(f"an access to memory at {address:#x}, outside of arguments and results")
@@ -281,7 +279,7 @@ class Machine:
         if memory is None:
             raise Declined(f"no operand in memory: {each.text}")
         value: Any = memory.displacement + (each.next if memory.base == "rip" else 0)
-        for name, scale in ((memory.base, 1), (memory.index, memory.scale)):
+        for name, scale in ((memory.base, 1), (memory.other, memory.scale)):
             if name and name != "rip":
                 value = self.trees.lift(lambda a, b, s=scale: self._known(a) + s * self._known(b), value,
                                         state.registers[name])  # fmt: skip
@@ -360,7 +358,7 @@ class Machine:
         ):
             raise Declined(f"no instruction that is known: {each.text}")
 
-    def _integer(self, state: State, each: Instruction, name: str) -> bool:  # noqa: C901, PLR0911, PLR0912, PLR0915
+    def _integer(self, state: State, each: Instruction, name: str) -> bool:
         """Execute an instruction on integers; return whether it is known."""
         operands, registers, lift = each.operands, state.registers, self.trees.lift
         width = self.width(each, operands)
@@ -382,7 +380,8 @@ class Machine:
             if name == "cltq":
                 registers["rax"] = lift(lambda v: signed(self._known(v), 4) & (1 << 64) - 1, value)
             else:
-                registers["rdx"] = lift(lambda v: (1 << 8 * narrow) - 1 if signed(self._known(v), narrow) < 0 else 0, value)
+                ones = (1 << 8 * narrow) - 1
+                registers["rdx"] = lift(lambda v: ones if signed(self._known(v), narrow) < 0 else 0, value)
         elif name == "push":
             registers["rsp"] -= 8
             self.store(state, registers["rsp"], 8, self.get(state, each, operands[0], 8))
@@ -404,19 +403,19 @@ class Machine:
             put(operands[1], width, lift(lambda t, a, b: a if t else b, self._condition(state, ending, each), *sides))
         elif name in ("imul", "mul") and len(operands) == 1:
             view = (lambda v: signed(v, width)) if name == "imul" else (lambda v: v)
-            product = view(self._known(get(operands[0], width))) * view(self._known(registers["rax"]) & (1 << 8 * width) - 1)
             mask = (1 << 8 * width) - 1
+            product = view(self._known(get(operands[0], width))) * view(self._known(registers["rax"]) & mask)
             registers["rax"], registers["rdx"] = product & mask, product >> 8 * width & mask
         elif name in ("idiv", "div"):
             self._divide(state, name, width, self._known(get(operands[0], width)))
         elif name in ("shr", "sar"):
             count = self._known(get(operands[0], 1)) & (63 if width == 8 else 31) if len(operands) > 1 else 1
-            view = (lambda v: signed(self._known(v), width)) if name == "sar" else self._known
+            view = partial(signed, width=width) if name == "sar" else int
             value = get(operands[-1], width)
             if (name, count, width, self.unit) == ("shr", 32, 8, 4):
                 value = self._half(value, 4, 4)
             else:
-                value = lift(lambda v: (view(v) >> count) & (1 << 8 * width) - 1, value)
+                value = lift(lambda v: (view(self._known(v)) >> count) & (1 << 8 * width) - 1, value)
             state.flags = ("integers", width, value, 0, False)
             put(operands[-1], width, value)
         elif name in INTEGERS:
@@ -487,8 +486,6 @@ class Machine:
 
     def _execute_vector(self, state: State, each: Instruction) -> None:
         """Execute an instruction on vectors."""
-        if re.match(r"vf[n]?m(add|sub)", each.name):
-            raise Different(f"{each.text}: a fused multiply-add rounds once where the text rounds twice")
         for pattern, execute in VECTOR_TABLE:
             if found := re.fullmatch(pattern, each.name):
                 if found.groupdict().get("real", self.letter) != self.letter:
@@ -626,7 +623,8 @@ class Machine:
         if self.unit == 8:
             pairs = list(zip(places[::2], places[1::2], strict=True))
             made = [both[a // 2] if not a % 2 and b == a + 1 else
-                    self._joined(*(self._half(both[place // 2], place % 2 * 4, 4) for place in (a, b))) for a, b in pairs]
+                    self._joined(*(self._half(both[place // 2], place % 2 * 4, 4) for place in (a, b)))
+                    for a, b in pairs]  # fmt: skip
             state.vectors[target.vector] = made
         else:
             state.vectors[target.vector] = [both[place] for place in places]

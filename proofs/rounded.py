@@ -29,7 +29,7 @@ SCALES = np.array([1.0, 1.0, 0.1, 3.0, 1e-4, 10.0, 0.0, 1e-9])  # of samples
 CHOICES = ("choice", "number")
 PATTERNS = ("choice", "joined")
 LEAVES = ("given", "const", "saved", "unset")
-COMPARISONS = 20_000  # largest number of pairs of trees that are compared
+COMPARISONS = 3_000  # largest number of pairs of trees that are compared
 
 
 class Declined(MachineError):
@@ -262,15 +262,17 @@ class Trees:
             a, b = map(self.sample, tree.parts[0].parts)
             return np.select([a < b, a == b, a > b], [self.sample(part) for part in tree.parts[1:4]],
                              self.sample(tree.parts[4]))  # fmt: skip
-        known = {"add": np.add, "mul": np.multiply, "div": np.divide, "neg": np.negative, "abs": np.abs, "sqrt": np.sqrt}
+        known: dict[str, Any] = {"add": np.add, "mul": np.multiply, "div": np.divide, "neg": np.negative, "abs": np.abs,
+                                 "sqrt": np.sqrt}  # fmt: skip
         if tree.kind in known:
             return known[tree.kind](*map(self.sample, tree.parts))
         if tree.kind in LEAVES:
-            return np.random.default_rng(zlib.crc32(repr((tree.kind, tree.parts)).encode())).normal(size=len(SCALES)) * SCALES
-        text = tree.kind.encode() + b"".join(
-            self.sample(part).tobytes() if isinstance(part, Tree) else repr(part).encode() for part in tree.parts
-        )
-        return np.random.default_rng(zlib.crc32(text)).normal(size=len(SCALES))
+            seed = zlib.crc32(repr((tree.kind, tree.parts)).encode())
+            return np.random.default_rng(seed).normal(size=len(SCALES)) * SCALES
+        inner = np.full(len(SCALES), float(zlib.crc32(tree.kind.encode()) % 1000))
+        for place, part in enumerate(tree.parts):  # any function, value by value
+            inner += (place + 1.3) * (zlib.crc32(part.encode()) % 1000 if isinstance(part, str) else self.sample(part))
+        return np.sin(inner)
 
     def forget(self) -> None:
         """Forget which trees were compared."""
@@ -304,7 +306,7 @@ class Trees:
             a, b = next((x, y) for x, y in cases if not self.equal(x, y))
         while isinstance(a, Tree) and isinstance(b, Tree) and a.kind == b.kind:
             parts = [(x, y) for x in a.parts if x not in b.parts for y in b.parts if y not in a.parts]
-            if len(parts) != 1:
+            if len(parts) != 1 or not all(isinstance(each, Tree) for each in parts[0]):
                 break
             a, b = parts[0]
         return a, b
@@ -339,8 +341,8 @@ class Trees:
             (a, b), values = map(changed, tree.parts[0].parts), map(changed, tree.parts[1:])
             return self.choose(self.number(a), self.number(b), dict(zip(RELATIONS, values, strict=True)))
         parts = [self.number(changed(part)) for part in tree.parts]
-        own = {"add": self.add, "mul": self.mul, "div": self.div, "neg": self.negated, "abs": self.absolute,
-               "sqrt": self.sqrt}  # fmt: skip
+        own: dict[str, Callable[..., Tree]] = {"add": self.add, "mul": self.mul, "div": self.div, "neg": self.negated,
+                                               "abs": self.absolute, "sqrt": self.sqrt}  # fmt: skip
         return own[tree.kind](*parts) if tree.kind in own else self.call(tree.kind, *parts)
 
     def renamed(self, tree: Any, names: dict[Tree, Tree], done: dict[Tree, Any]) -> Any:
@@ -456,6 +458,7 @@ class Truth:
 
     def choose(self, one: Any, other: Any) -> Any:
         """Return the one number or truth, or the other."""
-        sides = [each.value if isinstance(each, Truth) else Number._other(self, each) for each in (one, other)]
+        sides = [each.value if isinstance(each, Truth) else each.tree if isinstance(each, Number)
+                 else self.trees.constant(each) for each in (one, other)]  # fmt: skip
         made = self.trees.lift(lambda truth, a, b: a if truth else b, self.value, *sides)
         return Truth(self.trees, made) if isinstance(one, Truth) else Number(self.trees, made)
