@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 from filelock import FileLock
 
-from tests.support import browsers, compilers
+from tests.support import browsers, compilers, node
 
 NO_GPU = "a GPU of NVIDIA, with CuPy and PyTorch, is not found"
 MISSING = {
@@ -22,6 +22,7 @@ MISSING = {
         ("gpu", shutil.which("nvidia-smi") and all(map(importlib.util.find_spec, ("cupy", "torch"))), NO_GPU),
         ("browser", browsers.find(), browsers.MISSING),
         ("compiler", compilers.find(), compilers.MISSING),
+        ("node", node.find(), node.MISSING),
         ("coq", shutil.which("coqc"), "Coq is not installed (apt-get install coq)"),
     ]
     if not found
@@ -33,7 +34,7 @@ MISSING = {
 os.environ.setdefault("DUALCAY_NATIVE", "0")
 
 
-SELECTED = {"browser", "compiler", "coq", "gpu", "smoke", "thorough", "torch"}
+SELECTED = {"browser", "compiler", "coq", "gpu", "node", "smoke", "thorough", "torch"}
 """Markers of this project that select tests."""
 
 

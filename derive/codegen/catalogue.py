@@ -110,8 +110,8 @@ def _reserved(target: Target) -> Iterator[str]:
     for file, make in target.shared().items():
         path = PurePath(file)
         yield from path.parts[:-1]
-        if path.suffix == f".{target.extension}":
-            yield path.stem
+        if path.suffix in (f".{target.extension}", ".ts"):
+            yield path.name.partition(".")[0]
         if path.name == "__init__.py":
             yield from _globals(symtable.symtable(generated(f"{target.name}/{file}", "", **make()), file, "exec"))
 

@@ -187,7 +187,7 @@ def _tokens(text: str) -> Iterator[str]:
 
 def read(text: str, grammar: Grammar, numbers: Mapping[str, float]) -> dict[str, dict[str, Any]]:
     """Return the programs in a text by name, each as a list of steps."""
-    found = {}
+    found: dict[str, dict[str, Any]] = {}
     for head in re.finditer(grammar.head, text, re.MULTILINE):
         end = re.compile(grammar.end, re.MULTILINE).search(text, head.end())
         if end is None:
@@ -199,6 +199,9 @@ def read(text: str, grammar: Grammar, numbers: Mapping[str, float]) -> dict[str,
                 body.statement(" ".join(statement.split()))
         given = [name for argument in _parameters(head["given"]) for name in _components(argument, body, grammar)]
         found[grammar.program(head["name"])] = {"given": given, "steps": body.steps, "results": body.results}
+    for names, called, *_ in (step for program in found.values() for step in program["steps"]):
+        if isinstance(names, list) and "read" in grammar.statements:  # the last results of a call may be unread
+            names += ["_"] * (len(found[called]["results"]) - len(names))
     return found
 
 

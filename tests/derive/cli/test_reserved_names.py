@@ -18,7 +18,8 @@ from tests.support.command import ROOT, dualcay
 
 @pytest.mark.parametrize("target", TARGETS)
 def test_names_of_shared_files_are_reserved(target: str) -> None:
-    stems = {Path(file).stem for file in TARGETS[target].shared() if file.endswith(f".{TARGETS[target].extension}")}
+    endings = (f".{TARGETS[target].extension}", ".d.ts")
+    stems = {Path(file).name.partition(".")[0] for file in TARGETS[target].shared() if file.endswith(endings)}
     assert stems <= catalogue.reserved_names()
 
 
