@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 from filelock import FileLock
 
-from tests.support import browsers, compilers, node
+from tests.support import browsers, compilers, node, rust
 
 NO_GPU = "a GPU of NVIDIA, with CuPy and PyTorch, is not found"
 MISSING = {
@@ -22,6 +22,8 @@ MISSING = {
         ("gpu", shutil.which("nvidia-smi") and all(map(importlib.util.find_spec, ("cupy", "torch"))), NO_GPU),
         ("browser", browsers.find(), browsers.MISSING),
         ("compiler", compilers.find(), compilers.MISSING),
+        ("fortran", shutil.which("gfortran"), "gfortran is not found (apt-get install gfortran)"),
+        ("rust", rust.find(), rust.MISSING),
         ("node", node.find(), node.MISSING),
         ("coq", shutil.which("coqc"), "Coq is not installed (apt-get install coq)"),
     ]
@@ -34,7 +36,7 @@ MISSING = {
 os.environ.setdefault("DUALCAY_NATIVE", "0")
 
 
-SELECTED = {"browser", "compiler", "coq", "gpu", "node", "smoke", "thorough", "torch"}
+SELECTED = {"browser", "compiler", "coq", "fortran", "gpu", "node", "rust", "smoke", "thorough", "torch"}
 """Markers of this project that select tests."""
 
 

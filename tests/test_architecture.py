@@ -33,7 +33,7 @@ ORDER = {
         "changes", "counterexample", "split", "finding",
     ),
     "derive.codegen": (
-        "programs", "lowering", "rows", "signatures", "validation", "package", "targets", "catalogue",
+        "programs", "lowering", "rows", "signatures", "validation", "package", "descriptions", "targets", "catalogue",
         "build",
     ),
 }  # fmt: skip

@@ -17,7 +17,6 @@ from derive.codegen.catalogue import charts as catalogue
 from derive.codegen.rows import Function, inside
 from derive.codegen.signatures import POSES, ROTATIONS, Table
 from derive.codegen.targets import TARGETS
-from derive.codegen.validation import samples
 from derive.codegen.validation.c_text import prefix
 from derive.codegen.validation.float_cases import cases as seeded
 from derive.codegen.validation.float_cases import composed
@@ -27,7 +26,7 @@ from tests.support import compilers
 
 TABLES = {table.name: table for table in (POSES, ROTATIONS)}
 SCALES = (1.0, 1e-9, 30.0, 1e-160, 1e160, 0.0)
-"""Factors of the seeded arguments: ordinary, tiny, large, beyond the square roots of the smallest and largest numbers."""
+"""Factors of the seeded arguments: 1, small and large ones, those with squares that are 0 or infinite, and 0."""
 SPECIAL = (np.nan, np.inf)
 """Numbers of further rows, in their first component."""
 
@@ -45,6 +44,16 @@ class Case:
     @property
     def row(self) -> Function:
         return functions(TABLES[self.table])[self.function]
+
+    @property
+    def size(self) -> int:
+        """Number of components of all results."""
+        return sum(array.size for array in self.row.results)
+
+    def given(self, dtype: Any = np.float64) -> np.ndarray:
+        """Return the arguments side by side; large numbers may be infinite in a narrower type."""
+        with np.errstate(over="ignore"):
+            return np.concatenate(self.arguments, axis=1).astype(dtype)
 
     def __str__(self) -> str:
         return " ".join(filter(None, (self.table, self.chart, self.function, f"branch {self.branch}")))
@@ -80,15 +89,15 @@ def _of_table(chart: Chart, table: Table) -> Iterator[Case]:
         arrays = [np.array([[float(c) for c in row[i]] for row in rows]) for i in range(len(rows[0]))]
         marked = [np.full_like(array[:1], number) if not i else array[:1]
                   for number in SPECIAL for i, array in enumerate(arrays)]  # fmt: skip
-        count = len(arrays)
-        columns = [np.concatenate([scale * array for scale in SCALES] + marked[i::count]) for i, array in enumerate(arrays)]
+        scaled = ([scale * array for scale in SCALES] for array in arrays)
+        columns = (np.concatenate(parts + marked[i :: len(arrays)]) for i, parts in enumerate(scaled))
         yield Case(table.name, chart.name, function, tuple(columns), branch)
 
 
 def expected(case: Case, library: ctypes.CDLL, dtype: Any = np.float64) -> list[np.ndarray]:
     """Return the results of the C header for each row."""
-    given = np.concatenate(case.arguments, axis=1).astype(dtype)
-    made = np.empty((len(given), sum(a.size for a in case.row.results)), dtype)
+    given = case.given(dtype)
+    made = np.empty((len(given), case.size), dtype)
     function = getattr(library, f"{prefix(chart(case.chart), TABLES[case.table])}_{case.function}_all")
     function(len(given), *(array.ctypes.data_as(ctypes.c_void_p) for array in (given, made)), case.branch)
     return parted(case, made)

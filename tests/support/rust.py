@@ -52,22 +52,27 @@ def find() -> str | None:
 def run(folder: Path, cases: Sequence[Case], place: Path, dtype: Any = np.float64) -> list[list[np.ndarray]]:
     """Return the results of a crate in a folder for each case; the program is built in another one."""
     real = "f64" if dtype == np.float64 else "f32"
-    (place / "src").mkdir(parents=True, exist_ok=True)
     texts = [_function(index, case, real) for index, case in enumerate(cases)]
     names = ", ".join(f"call{index}" for index in range(len(cases)))
     program = PROGRAM.format(real=real, size=np.dtype(dtype).itemsize, functions="\n".join(texts), count=len(cases),
                              names=names)  # fmt: skip
-    (place / "Cargo.toml").write_text(MANIFEST.format(folder=str(folder)), encoding="utf-8")
-    (place / "src" / "main.rs").write_text(program, encoding="utf-8")
+    write(place, folder, program)
     shapes = []
     for index, case in enumerate(cases):
-        given = np.concatenate(case.arguments, axis=1).astype(dtype)
-        shapes.append((len(given), sum(array.size for array in case.row.results)))
+        given = case.given(dtype)
+        shapes.append((len(given), case.size))
         given.tofile(place / f"{index}.in")
         np.zeros(shapes[-1], dtype).tofile(place / f"{index}.out")
     cargo(place, "run", "--quiet", "--offline")
     made = (np.fromfile(place / f"{index}.out", dtype).reshape(shape) for index, shape in enumerate(shapes))
     return [parted(case, found) for case, found in zip(cases, made)]
+
+
+def write(place: Path, folder: Path, program: str) -> None:
+    """Write a package with a program that uses the crate in a folder."""
+    (place / "src").mkdir(parents=True, exist_ok=True)
+    (place / "Cargo.toml").write_text(MANIFEST.format(folder=str(folder)), encoding="utf-8")
+    (place / "src" / "main.rs").write_text(program, encoding="utf-8")
 
 
 def cargo(place: Path, *arguments: str) -> str:
@@ -90,7 +95,8 @@ def _function(index: int, case: Case, real: str) -> str:
     stored, at = [], 0
     for place, array in enumerate(row.results):
         part = "found" if len(row.results) == 1 else f"found.{place}"
-        stored.append(f"r[{at}] = {part};" if array.size == 1 else f"r[{at}..{at + array.size}].copy_from_slice(&{part});")
+        at_end = f"r[{at}..{at + array.size}].copy_from_slice(&{part});"
+        stored.append(f"r[{at}] = {part};" if array.size == 1 else at_end)
         at += array.size
     return (
         f"fn call{index}(given: &[{real}], made: &mut [{real}]) {{\n"

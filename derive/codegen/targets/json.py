@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import itertools
 import json
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from functools import partial
 from pathlib import Path
@@ -17,7 +17,7 @@ import mpmath
 
 from ...maps.chart import Chart
 from ..descriptions import about, sections
-from ..lowering.scalar_programs import SCALARS, table_names
+from ..lowering.scalar_programs import SCALARS, Scalar, table_names
 from ..package import Data, Facts, Target, returns
 from ..programs.program import BESIDE, Assignment, Operand, Program
 from ..rows import Array, Function, Table, inside
@@ -107,20 +107,25 @@ def _programs(chart: Chart, lowered: ChartPrograms, numbers: Mapping[str, Any]) 
     table = lowered.table
     for name, program in scalars(lowered).items():
         known = {"formula": "; ".join(formulas_of(name, chart))} if name in lowered.scalars else {}
-        yield f"{OWN}{name}", {**known, **_program(program, numbers), "truths": list(SCALARS[name].truths)}
+        yield f"{OWN}{name}", {**known, **_program(program, numbers, _truths(SCALARS[name]))}
     for name, program in printed_geometry(table).items():
         yield name, _program(program, {})
     for name, row in table.composed.items():
         yield name, _program(row.traced(), {})
     v = table.sources["shadow"].arguments[0]
     names = [f"{v.name}{place}" for place in range(1, v.size + 1)]
-    yield "copy", {"given": names, "steps": [], "results": names}
+    yield "copy", {"given": names, "steps": [], "results": names, "truths": []}
 
 
-def _program(program: Program, numbers: Mapping[str, Any]) -> dict[str, Any]:
+def _truths(row: Scalar) -> list[int]:
+    """Return the places of results that are true or false."""
+    return [place for place, name in enumerate(row.results) if name in row.truths]
+
+
+def _program(program: Program, numbers: Mapping[str, Any], truths: Sequence[int] = ()) -> dict[str, Any]:
     given = [name for _, names in program.inputs for name in names if name not in numbers]
     steps, results = list(map(_step, program.statements)), list(map(_operand, program.outputs))
-    return {"given": given, "steps": steps, "results": results}
+    return {"given": given, "steps": steps, "results": results, "truths": truths}
 
 
 def _step(statement: Any) -> list[Any]:

@@ -1,14 +1,8 @@
-{{ header }}
 //! Rigid displacements and rotations by vectors v = phi(alpha) u, without allocation.
 //!
 //! Each module is a chart: `cayley2`, for example, holds the functions of the Cayley map of order 2. Modules in
 //! `rotation` are for rotations alone. alpha is the dual angle (rotation angle in rad, translation along the axis), and
 //! u the unit dual vector of the screw axis. Dual quantities store the real part first, then the dual part.
-//!
-//! ```ignore
-//! let v = dualcay::cayley2::from_exponential(&[0.0, 0.0, 0.8, 0.1, 0.2, 0.3]);
-//! let pose = dualcay::cayley2::pose(&v); // 4 x 4 matrix by rows
-//! ```
 //!
 //! Every function has two forms: one for a value, and one with the ending `_rows` for slices, which computes as many
 //! values as the shortest slice has. No function allocates or panics. NaN arguments give NaN results. A singularity
