@@ -9,7 +9,6 @@ from __future__ import annotations
 import ctypes
 import json
 import subprocess
-import tempfile
 from collections.abc import Sequence
 from ctypes.util import find_library
 from pathlib import Path
@@ -56,40 +55,41 @@ for (const name of Object.keys(libm))
 """
 
 
-def run(folder: Path, cases: Sequence[Case], own: bool = False) -> list[list[np.ndarray]]:
-    """Return the results of each case, an array of rows for each; with ``own``, by node's elementary functions."""
-    return results(folder, cases, own)[0]
+def run(folder: Path, cases: Sequence[Case], place: Path, own: bool = False) -> list[list[np.ndarray]]:
+    """Return the results of each case, run in a further folder; with ``own``, by node's elementary functions."""
+    return results(folder, cases, place, own)[0]
 
 
-def results(folder: Path, cases: Sequence[Case], own: bool = False) -> tuple[list[list[np.ndarray]], dict[str, Any]]:
+def results(folder: Path, cases: Sequence[Case], place: Path, own: bool = False) -> tuple[list[Any], dict[str, Any]]:
     """Return the results of each case, and the calls of elementary functions: arguments, libm's value, node's value."""
     described = [
         {
             "module": f"{case.table or '.'}/{case.chart}.js",
             "name": case.function,
             "count": len(case.arguments[0]),
-            "sizes": [array.shape[1] for array in case.arguments],
+            "sizes": [array.size for array in case.row.arguments],
             "branch": [case.branch] * case.row.branch,
         }
         for case in cases
     ]
-    given = [np.concatenate(case.arguments, axis=1, dtype=float).ravel() for case in cases]
+    place.mkdir(parents=True, exist_ok=True)
+    (place / "run.mjs").write_text(PROGRAM, encoding="utf-8")
+    np.concatenate([case.given().ravel() for case in cases]).tofile(place / "given")
+    data = {"folder": folder.resolve().as_uri(), "libm": LIBM, "cases": described}
+    (place / "cases.json").write_text(json.dumps(data), encoding="utf-8")
     known: dict[str, np.ndarray] = {name: np.empty((0, 4)) for name in LIBM}
-    with tempfile.TemporaryDirectory() as home:
-        place = Path(home)
-        (place / "run.mjs").write_text(PROGRAM, encoding="utf-8")
-        np.concatenate(given).tofile(place / "given")
-        data = {"folder": folder.resolve().as_uri(), "libm": LIBM, "cases": described}
-        (place / "cases.json").write_text(json.dumps(data), encoding="utf-8")
-        while True:
-            for name, rows in known.items():
-                rows[:, :3].tofile(place / name)
-            command = [str(node.find()), str(place / "run.mjs"), str(place), *["own"] * own]
-            subprocess.run(command, check=True)
-            new = {name: _of_libm(name, np.fromfile(place / f"{name}.asked").reshape(-1, 3)) for name in LIBM}
-            if not any(map(len, new.values())):
-                return _parted(cases, np.fromfile(place / "made")), known
-            known = {name: np.concatenate([known[name], rows]) for name, rows in new.items()}
+    while True:
+        for name, rows in known.items():
+            rows[:, :3].tofile(place / name)
+        subprocess.run([str(node.find()), str(place / "run.mjs"), str(place), *["own"] * own], check=True)
+        new = {name: _of_libm(name, np.fromfile(place / f"{name}.asked").reshape(-1, 3)) for name in LIBM}
+        if not any(map(len, new.values())):
+            break
+        known = {name: np.concatenate([known[name], rows]) for name, rows in new.items()}
+    ends = np.cumsum([len(case.arguments[0]) * case.size for case in cases])
+    *parts, rest = np.split(np.fromfile(place / "made"), ends)
+    assert not rest.size
+    return [parted(case, rows.reshape(-1, case.size)) for case, rows in zip(cases, parts)], known
 
 
 def _of_libm(name: str, asked: np.ndarray) -> np.ndarray:
@@ -98,13 +98,3 @@ def _of_libm(name: str, asked: np.ndarray) -> np.ndarray:
     function.restype, function.argtypes = ctypes.c_double, [ctypes.c_double] * LIBM[name]
     values = [function(*arguments[: LIBM[name]]) for arguments in asked.tolist()]
     return np.column_stack([asked[:, :2], np.array(values, float), asked[:, 2]])
-
-
-def _parted(cases: Sequence[Case], made: np.ndarray) -> list[list[np.ndarray]]:
-    """Return the joined results of all cases one by one."""
-    widths = [sum(array.size for array in case.row.results) for case in cases]
-    ends = np.cumsum([len(case.arguments[0]) * width for case, width in zip(cases, widths)])
-    assert ends[-1] == made.size
-    return [
-        parted(case, rows.reshape(-1, width)) for case, rows, width in zip(cases, np.split(made, ends[:-1]), widths)
-    ]

@@ -14,15 +14,15 @@ import pytest
 
 from derive.codegen.targets import TARGETS
 from derive.codegen.validation.batches import ValidationFailed
-from tests.support import languages, listing, pages, rust
+from tests.support import js, languages, listing, pages, rust
 from tests.support.languages import chart, differing, expected, write
 
 pytestmark = pytest.mark.compiler
 
 FIRST = ("cayley2",)
 CHARTS = ("cayley1", "cayley3", "cayley4", "cayley5", "cayley8", "exponential", "lambert")
-RUN = {"json": listing.run, "rust": rust.run}
-LANGUAGES = ["json", pytest.param("rust", marks=pytest.mark.rust)]
+RUN = {"json": listing.run, "rust": rust.run, "js": js.run}
+LANGUAGES = ["json", pytest.param("rust", marks=pytest.mark.rust), pytest.param("js", marks=pytest.mark.node)]
 ALTERED = {
     "json": [
         ("cayley2.json", '["x13", "add", "v11", "v33"]', '["x13", "subtract", "v11", "v33"]'),
@@ -33,6 +33,11 @@ ALTERED = {
         ("geometry.rs", "let q12 = gvv1 - fv3;", "let q12 = gvv1 + fv3;"),
         ("geometry.rs", "[b1, b2, b3, b1o, b2o, b3o], [rho1_2", "[b2, b1, b3, b1o, b2o, b3o], [rho1_2"),
         ("cayley2.rs", "let within = select(left < T::of(0), last, alpha);", "let within = alpha;"),
+    ],
+    "js": [
+        ("geometry.js", "const fv1 = v1 * f;", "const fv1 = -v1 * f;"),
+        ("geometry.js", "tensor_at(f, g, h, v1, v2,", "tensor_at(f, g, h, v2, v1,"),
+        ("cayley2.js", "const within = left < 0 ? last : alpha;", "const within = alpha;"),
     ],
 }
 """Alterations of printed programs: another sign, another argument, and no selection."""
