@@ -187,6 +187,7 @@ def test_lists_tell_what_each_function_takes_gives_and_where_it_is() -> None:
     assert all(all(function_pages.takes_and_gives(name)) for name in POSES.public)
     assert function_pages.takes_and_gives("to_screw") == ("v (6)", "angle (2), line (6)")
     assert function_pages.targets("rate") == [*TARGETS, "Dask"]
+    assert function_pages.targets("switch") == [name for name in TARGETS if name != "native"]
     assert function_pages.targets("random") == ["numpy", "numba"]
     assert {"twist_jacobian", "body_rate_dot", "compose_jacobians"} <= function_pages.formulas().keys()
 

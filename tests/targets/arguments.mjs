@@ -11,7 +11,7 @@ const expect = (message, name, run) => {
 };
 
 for (const { file, name, given, branch, made } of functions) {
-    const run = (await import(`${folder}/${file}`))[name];
+    const module = await import(`${folder}/${file}`), run = module[name];
     const good = given.map(({ size }) => make(size)), more = branch ? [1] : [], right = run(...good, ...more);
     given.forEach(({ argument, size }, place) => {
         const call = value => run(...good.with(place, value), ...more);
@@ -21,6 +21,7 @@ for (const { file, name, given, branch, made } of functions) {
         if (size > 1) expect(`TypeError: ${argument}[1]: expected a number, given string`, name, () => call(make(size).with(1, "0")));
         require(listed(call(make(size, NaN))).some(Number.isNaN), name, `no NaN of ${argument}`);
     });
+    if (branch) require(same(run(...good, 1 - module.CHART.branches), right), name, "wrong results of a negative branch");
     if (branch) for (const k of [0.5, NaN, "1", null]) expect("RangeError: branch: expected an integer", name, () => run(...good, k));
     if (typeof right === "number") continue;
     const room = made.length > 1 ? made.map(size => make(size)) : make(made[0]);
