@@ -119,7 +119,7 @@ def reference(folder: Path, names: Sequence[str], real: str = "double") -> ctype
             lines += [_wrapper(prefix(chart(name), table), row, real) for row in functions(table).values()]
     source, library = folder / "all.c", folder / f"{real}.so"
     source.write_text("\n".join(lines), encoding="utf-8")
-    command = [str(compilers.find()), "-std=c99", "-O1", "-ffp-contract=off", "-shared", "-fPIC", f"-I{folder}",
+    command = [str(compilers.find()), "-std=c99", "-O0", "-ffp-contract=off", "-shared", "-fPIC", f"-I{folder}",
                str(source), "-o", str(library), "-lm"]  # fmt: skip
     subprocess.run(command, check=True)
     return ctypes.CDLL(str(library))

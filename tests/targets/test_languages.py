@@ -42,6 +42,11 @@ ALTERED = {
 }
 """Alterations of printed programs: another sign, another argument, and no selection."""
 
+FUNCTIONS = {
+    "rust": ("geometry.rs", "geometry::rate::<$chart, T>(*v, *omega,", "geometry::rate::<$chart, T>(*omega, *v,"),
+}
+"""Alterations of the functions around the programs: swapped arguments of rate."""
+
 
 @pytest.fixture(scope="module")
 def headers(tmp_path_factory: pytest.TempPathFactory) -> Callable[..., ctypes.CDLL]:
@@ -96,13 +101,23 @@ def test_printer_of_the_guide_gives_the_bits_of_c_in_fortran(name, function, hea
         assert not differing(one, other).any()
 
 
+def alter(folder: Path, name: str, old: str, new: str) -> None:
+    text = (folder / name).read_text(encoding="utf-8")
+    assert old in text
+    (folder / name).write_text(text.replace(old, new, 1), encoding="utf-8")
+
+
+@pytest.mark.thorough
+@pytest.mark.parametrize("language", LANGUAGES[1:])
+def test_an_altered_function_has_other_bits(language, headers, tmp_path) -> None:
+    alter(write(language, FIRST, tmp_path / "kernels"), *FUNCTIONS[language])
+    assert wrong(language, FIRST, headers(FIRST), tmp_path) == ["cayley2 rate branch 0"]
+
+
 @pytest.mark.parametrize("language", LANGUAGES)
 @pytest.mark.parametrize("place", range(3), ids=["sign", "argument", "selection"])
 def test_an_altered_program_is_refused(language, place, tmp_path) -> None:
     write(language, FIRST, tmp_path)
-    name, old, new = ALTERED[language][place]
-    text = (tmp_path / name).read_text(encoding="utf-8")
-    assert old in text
-    (tmp_path / name).write_text(text.replace(old, new, 1), encoding="utf-8")
+    alter(tmp_path, *ALTERED[language][place])
     with pytest.raises(ValidationFailed, match=r"cayley2"):
         TARGETS[language].validate(tmp_path, chart("cayley2"), geometry=True)
