@@ -44,6 +44,7 @@ ALTERED = {
 
 FUNCTIONS = {
     "rust": ("geometry.rs", "geometry::rate::<$chart, T>(*v, *omega,", "geometry::rate::<$chart, T>(*omega, *v,"),
+    "js": ("geometry.js", "omega[4], omega[5], 1, 0.5,", "omega[5], omega[4], 1, 0.5,"),
 }
 """Alterations of the functions around the programs: swapped arguments of rate."""
 
