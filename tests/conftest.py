@@ -23,6 +23,7 @@ MISSING = {
         ("browser", browsers.find(), browsers.MISSING),
         ("compiler", compilers.find(), compilers.MISSING),
         ("coq", shutil.which("coqc"), "Coq is not installed (apt-get install coq)"),
+        ("octave", shutil.which("octave-cli"), "GNU Octave is not installed (apt-get install octave)"),
     ]
     if not found
 }
@@ -33,7 +34,7 @@ MISSING = {
 os.environ.setdefault("DUALCAY_NATIVE", "0")
 
 
-SELECTED = {"browser", "compiler", "coq", "gpu", "smoke", "thorough", "torch"}
+SELECTED = {"browser", "compiler", "coq", "gpu", "octave", "smoke", "thorough", "torch"}
 """Markers of this project that select tests."""
 
 
