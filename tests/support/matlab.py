@@ -32,8 +32,11 @@ def row(case: Any) -> Function:
     return FUNCTIONS[case.table][case.function]
 
 
-def run(folder: Path, cases: Sequence[Any]) -> list[list[np.ndarray]]:
-    """Return the results of each case: an array for each result, with a row for each row of the arguments."""
+def run(folder: Path, cases: Sequence[Any], _: Path | None = None) -> list[list[np.ndarray]]:
+    """Return the results of each case: an array for each result, with a row for each row of the arguments.
+
+    Octave needs no folder of its own, which runners of compiled languages take last.
+    """
     with tempfile.TemporaryDirectory() as place:
         given, made = Path(place, "given"), Path(place, "made")
         given.write_bytes(b"".join(np.ascontiguousarray(array).tobytes() for c in cases for array in c.arguments))

@@ -77,11 +77,11 @@ def test_each_chart_passes_its_own_test(folder: Path) -> None:
 
 CONTROLS = {
     "changed sign": ("+cayley2/pose.m", r"(\w+ = \w+ \.\* \w+) \+ ", r"\1 - "),
-    "swapped argument": ("+cayley2/transition.m", r"transition_program\(n, v, v0", "transition_program(n, v0, v"),
+    "swapped argument": ("+cayley2/rate.m", r"omega\(1, :\), omega\(2, :\)", "omega(2, :), omega(1, :)"),
     "dropped selection": ("+cayley2/principal.m", r"dualcay\.internal\.select\(beyond_, [^,]*, ", "("),
     "selection of the other side": ("+internal/select.m", "chosen, one", "chosen, other"),
     "column of another branch": ("+cayley2/from_pose.m", r"k \+ 1", "1"),
-    "another number of a side": ("+rotation/+cayley2/body_rate.m", r"\[-1\.0; -0\.5\]", "[1.0; 0.5]"),
+    "another number of a side": ("+rotation/+cayley2/body_rate.m", r"-1\.0, -0\.5", "1.0, 0.5"),
 }
 
 

@@ -17,7 +17,7 @@ from ..lowering.scalar_programs import SCALARS
 from ..package import Data, Facts
 from ..programs.trace import written_out
 from ..rows import Function, Table
-from ..signatures import POSES, RETURNED, ROTATIONS, STAYED, TABLE, geometry
+from ..signatures import POSES, RETURNED, ROTATIONS, STAYED, geometry
 from ..validation.float_cases import FloatCase, cases, composed
 from .c import GATE
 from .expression import INDENT, OPERATORS, WIDTH, Dialect, Operator
@@ -27,7 +27,7 @@ WORDS = frozenset(("break", "case", "catch", "classdef", "continue", "else", "el
                    "global", "if", "otherwise", "parfor", "persistent", "return", "spmd", "switch", "try",
                    "while"))  # fmt: skip
 FUNCTIONS = ("abs", "tan", "atan2", "expm1")
-RESERVED = frozenset((*WORDS, *FUNCTIONS, *SCALARS, "zeros", "dualcay", "n", "out", "numbers"))
+RESERVED = frozenset((*WORDS, *FUNCTIONS, *SCALARS, "dualcay", "out"))
 CONTINUED = " ..."
 """Mark at the end of a line whose statement goes on."""
 CALLS = {name: name for name in FUNCTIONS} | {
@@ -51,8 +51,8 @@ def name_of(row: Function) -> str:
     return f"{row.name}_" if row.name in WORDS else row.name
 
 
-def statement(head: str, texts: Sequence[str], tail: str) -> str:
-    return broken(head, texts, tail, INDENT, CONTINUED)
+def statement(head: str, texts: Sequence[str], tail: str, indent: str = INDENT) -> str:
+    return broken(head, texts, "", indent, CONTINUED).removesuffix(f"{CONTINUED}\n{indent}") + tail
 
 
 def bracketed(names: Sequence[str]) -> str:
@@ -66,30 +66,26 @@ def step(one: Step) -> str:
     return statement(f"{made} = {one.called}(", one.arguments, ");")
 
 
-def array_function(program: Printed) -> str:
-    """Return the text of a program that takes and returns arrays of n columns."""
-    given = ["numbers" if argument == TABLE else argument for argument, _ in program.given]
-    loads = [f"{INDENT}{name} = {argument}({place}, :);"
-             for argument, (name, names) in zip(given, program.given, strict=True) if names != (argument,)
-             for place, name in enumerate(names, 1) if name != "_"]  # fmt: skip
-    lines = [
-        f"function out = {program.name}_program({', '.join(['n', *given])})",
-        *loads,
-        *map(step, program.steps),
-        f"{INDENT}out = zeros({len(program.results)}, n, 'like', {given[0]});",
-        *(statement(f"out({place}, :) = ", [text], ";") for place, text in enumerate(program.results, 1)),
-    ]
-    return "\n".join([*lines, "end"])
+def text_of(program: Printed, shared: bool) -> str:
+    """Return the text of a program, whose arguments are rows of numbers.
 
-
-def scalar_function(program: Printed) -> str:
-    """Return the text of a scalar program of a chart, which takes and returns rows of numbers."""
-    made = [f"out{place}" for place in range(1, len(program.results) + 1)]
-    given = ", ".join("~" if name == "_" else name for name in program.components)
+    One that all charts share stores its results in the rows of an array, its first argument. A scalar program of a
+    chart returns rows.
+    """
+    given = ["~" if name == "_" else name for name in program.components]
+    made = [f"out({place}, :)" if shared else f"out{place}" for place in range(1, len(program.results) + 1)]
     stored = (statement(f"{name} = ", [text], ";") for name, text in zip(made, program.results, strict=True))
-    head = f"function {bracketed(made)} = {program.name}({given})"
     numbers = (f"{INDENT}{name} = {double(text)};" for name, text in program.numbers.items())
+    if shared:
+        head = statement(f"function out = {local(program.name)}(", ["out", *given], ")", "")
+    else:
+        head = statement(f"function {bracketed(made)} = {program.name}(", given, ")", "")
     return "\n".join([head, *numbers, *map(step, program.steps), *stored, "end"])
+
+
+def local(program: str) -> str:
+    """Return the name of a program within a file."""
+    return f"{program}_program"
 
 
 @cache
@@ -97,7 +93,7 @@ def program_of(table: Table, name: str) -> tuple[str, frozenset[str]]:
     """Return the text of a program for all charts, and the names of the scalar programs that it calls."""
     program = copy_of(table) if name == "copy" else geometry(table).get(name)
     program = program or written_out(table.composed[name].traced())
-    return array_function(printed(program, DIALECT, RESERVED)), frozenset(call.function for call in program.calls)
+    return text_of(printed(program, DIALECT, RESERVED), True), frozenset(call.function for call in program.calls)
 
 
 def function(f: Public, facts: Facts, scalars: Mapping[str, str]) -> Data:
@@ -111,27 +107,28 @@ def function(f: Public, facts: Facts, scalars: Mapping[str, str]) -> Data:
     made = [a.name if a.name != f.row.name else "out" for a in f.row.results]
     starts = itertools.accumulate((a.size for a in f.row.results), initial=0)
     parts = [f"{name} = made({start + 1}{f':{start + a.size}' * (a.size > 1)}, :);"
-             for name, a, start in zip(made, f.row.results, starts)]  # fmt: skip
+             for name, a, start in zip(made, f.row.results, starts)] * (len(made) > 1)  # fmt: skip
     parameters = ", ".join([*given, *["branch"] * f.row.branch])
+    whole = "made" if parts else made[0]
+    rows = [f"{a.name}({place}, :)" for a in f.row.arguments for place in range(1, a.size + 1)]
+    stored = [f"{whole}({place}, :)" for place in range(1, f.row.results[0].size + 1)]
+    turn = ["turns(1, k + 1)", "turns(2, k + 1)"] if chart.branches else ["turns(1)", "k * turns(2)"]
+
+    def call(program: str, texts: Sequence[str], indent: str = INDENT) -> str:
+        array = f"zeros({sum(a.size for a in f.row.results)}, n, 'like', {given[0]})"
+        return statement(f"{whole} = {local(program)}(", [array, *texts], ");", indent)
+
     return {
         "head": f"function {bracketed(made)} = {name_of(f.row)}({parameters})",
         "help": "\n".join(f"%{line}" for line in help_of(f, chart.name, made, parameters)),
         "f": f,
-        "passed": ", ".join(["n", *given, *[f"[{'; '.join(map(double, f.constants))}]"] * bool(f.constants)]),
-        "made": made[0] if len(made) == 1 else "made",
-        "parts": parts if len(made) > 1 else [],
-        "program": first,
-        "turned": turned,
+        "parts": parts,
         "branches": chart.branches,
-        "turns": turns(facts),
+        "first": call(first, [*rows, *map(double, f.constants)]),
+        "turned": turned and call(turned, [*(stored if f.way.then else rows), *turn], 2 * INDENT),
+        "turns": "; ".join(", ".join(map(double, row)) for row in zip(*facts.turns, strict=True)),
         "texts": [text for text, _ in found] + [text for name, text in scalars.items() if name in called],
     }
-
-
-def turns(facts: Facts) -> str:
-    """Return a matrix whose columns turn v to each branch; for an unbounded chart, the column of branch k."""
-    cosines, sines = ([double(text) for text in row] for row in zip(*facts.turns, strict=True))
-    return f"[{', '.join(cosines)}; {', '.join(sines) if facts.chart.branches else f'k * {sines[0]}'}]"
 
 
 def help_of(f: Public, chart: str, made: Sequence[str], parameters: str) -> Iterator[str]:
@@ -212,7 +209,7 @@ class Matlab(Straight):
 
     def companions(self, facts: Facts) -> dict[str, tuple[str, Data]]:
         name, numbers = facts.chart.name, numbers_of(facts)
-        scalars = {program.name: scalar_function(self.printed(program, numbers))
+        scalars = {program.name: text_of(self.printed(program, numbers), False)
                    for program in own(facts, self.tables).values()}  # fmt: skip
         angles = {"package": package_of(name, POSES), "angles": ", ".join(facts.singular_angles)}
         files: dict[str, tuple[str, Data]] = {
