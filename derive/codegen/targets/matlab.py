@@ -38,7 +38,8 @@ DIALECT = Dialect(
      for name, row in OPERATORS.items()},
     CALLS, reciprocal=lambda integer: (f"1 / {integer}", OPERATORS["div"].strength),
 )  # fmt: skip
-TESTED = 3
+functions = cache(public)
+TESTED = 2
 """Largest number of cases of a function in the test of a chart."""
 
 
@@ -76,16 +77,9 @@ def text_of(program: Printed, shared: bool) -> str:
     made = [f"out({place}, :)" if shared else f"out{place}" for place in range(1, len(program.results) + 1)]
     stored = (statement(f"{name} = ", [text], ";") for name, text in zip(made, program.results, strict=True))
     numbers = (f"{INDENT}{name} = {double(text)};" for name, text in program.numbers.items())
-    if shared:
-        head = statement(f"function out = {local(program.name)}(", ["out", *given], ")", "")
-    else:
-        head = statement(f"function {bracketed(made)} = {program.name}(", given, ")", "")
+    name = f"out = {program.name}_program" if shared else f"{bracketed(made)} = {program.name}"
+    head = statement(f"function {name}(", [*["out"] * shared, *given], ")", "")
     return "\n".join([head, *numbers, *map(step, program.steps), *stored, "end"])
-
-
-def local(program: str) -> str:
-    """Return the name of a program within a file."""
-    return f"{program}_program"
 
 
 @cache
@@ -116,7 +110,7 @@ def function(f: Public, facts: Facts, scalars: Mapping[str, str]) -> Data:
 
     def call(program: str, texts: Sequence[str], indent: str = INDENT) -> str:
         array = f"zeros({sum(a.size for a in f.row.results)}, n, 'like', {given[0]})"
-        return statement(f"{whole} = {local(program)}(", [array, *texts], ");", indent)
+        return statement(f"{whole} = {program}_program(", [array, *texts], ");", indent)
 
     return {
         "head": f"function {bracketed(made)} = {name_of(f.row)}({parameters})",
@@ -159,21 +153,20 @@ def tested(found: Sequence[FloatCase]) -> Iterator[Data]:
     part_of: list[int] = []
     for array in found[0].row.results:
         part_of += [max(part_of, default=0) + 1 + part for part in array.part_of]
-    for branch, group in itertools.groupby(sorted(chosen, key=_branch), _branch):
+    for branch, group in itertools.groupby(sorted(chosen, key=branch_of), branch_of):
         some = list(group)
         arguments = [_columns([case.arguments[i] for case in some]) for i in range(len(some[0].arguments))]
         yield {
             "name": name_of(some[0].row),
             "arguments": [*arguments, *[str(branch)] * some[0].row.branch],
-            "made": bracketed([f"made{i}" for i in range(1, len(some[0].row.results) + 1)]),
-            "joined": "; ".join(f"made{i}" for i in range(1, len(some[0].row.results) + 1)),
+            "made": [f"made{place}" for place in range(1, len(some[0].row.results) + 1)],
             "expected": _columns([case.result for case in some]),
             "scales": _columns([case.scales for case in some]),
             "part_of": ", ".join(map(str, part_of)),
         }
 
 
-def _branch(case: FloatCase) -> int:
+def branch_of(case: FloatCase) -> int:
     return case.branch or 0
 
 
@@ -197,32 +190,26 @@ class Matlab(Straight):
         return "/".join([*(f"+{part}" for part in package_of(chart, table).split(".")), f"{function}.m"])
 
     def shared(self) -> Mapping[str, Callable[[], Data]]:
-        helpers = ("branch_of", "compare", "logarithm", "root", "select")
-        return {
-            self.entry: dict,
-            "Contents.m": partial(dict, version=about.__version__),
-            **{f"+dualcay/+internal/{name}.m": dict for name in helpers},
-        }
+        names = ("cases", "branch_of", "compare", "logarithm", "root", "select")
+        helpers: Mapping[str, Callable[[], Data]] = {f"+dualcay/+internal/{name}.m": dict for name in names}
+        return {**helpers, "Contents.m": partial(dict, version=about.__version__)}
 
     def module(self, facts: Facts) -> Data:
-        return {**contents(facts, POSES), "domain": facts.domain, "singular": facts.singular}
+        return contents(facts, POSES)
 
     def companions(self, facts: Facts) -> dict[str, tuple[str, Data]]:
         name, numbers = facts.chart.name, numbers_of(facts)
         scalars = {program.name: text_of(self.printed(program, numbers), False)
                    for program in own(facts, self.tables).values()}  # fmt: skip
-        angles = {"package": package_of(name, POSES), "angles": ", ".join(facts.singular_angles)}
-        files: dict[str, tuple[str, Data]] = {
-            self.file(name, ROTATIONS): ("rotation.m", contents(facts, ROTATIONS)),
-            self.file(name, POSES, "singular_angles"): ("singular_angles.m", angles),
-        }
+        files = {self.file(name, ROTATIONS): ("chart.m", contents(facts, ROTATIONS))}
         for table in self.tables:
-            found = {f.row.name: f for f in public(table)}
-            for f in found.values():
+            package = {"package": package_of(name, table)}
+            angles = {**package, "angles": ", ".join(facts.singular_angles)}
+            files[self.file(name, table, "singular_angles")] = "singular_angles.m", angles
+            for f in functions(table):
                 files[self.file(name, table, name_of(f.row))] = "function.m", function(f, facts, scalars)
             for alias, of in table.aliases(facts.chart).items():
-                data = {"alias": alias, "name": of, "package": package_of(name, table)}
-                files[self.file(name, table, alias)] = "alias.m", data
+                files[self.file(name, table, alias)] = "alias.m", {**package, "alias": alias, "name": of}
         return files
 
     def tests(self, facts: Facts) -> dict[str, tuple[str, Data]]:
@@ -238,6 +225,11 @@ class Matlab(Straight):
 
 def contents(facts: Facts, table: Table) -> Data:
     """Return the data of the list of a chart's functions: their names with the first sentence about each."""
-    listed = [(name_of(f.row), " ".join(f.lines).split(". ")[0].split(": ")[0].rstrip(".")) for f in public(table)]
-    return {"name": facts.chart.name, "title": facts.chart.title, "order": facts.chart.order,
-            "branches": facts.chart.branches, "functions": listed, "aliases": table.aliases(facts.chart)}  # fmt: skip
+    chart = facts.chart
+    listed = [(name_of(f.row), " ".join(f.lines).split(". ")[0].split(": ")[0].rstrip(".")) for f in functions(table)]
+    listed += [(alias, f"Another name of {name}") for alias, name in table.aliases(chart).items()]
+    listed += [("singular_angles", "Rotation angles (rad) where the chart or its operators are singular"),
+               ("test", "Compare the functions with exact results")]  # fmt: skip
+    return {"name": chart.name, "title": chart.title, "kind": "poses" if table is POSES else "rotations alone",
+            "order": chart.order, "branches": chart.branches, "domain": facts.domain, "singular": facts.singular,
+            "functions": listed}  # fmt: skip
