@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 
 from derive.codegen.build import check_charts, print_package
+from derive.codegen.package import notices
 from derive.codegen.targets import TARGETS
 from derive.codegen.targets.matlab import WIDTH
 from derive.maps import Cayley
@@ -159,6 +160,14 @@ def test_program_of_the_guide_prints_what_it_shows(folder: Path) -> None:
     path, _, rest = program.partition("\n")
     assert path == "addpath('kernels')"
     assert matlab.octave(folder, rest).startswith(output)
+
+
+@pytest.mark.octave
+def test_half_written_package_names_the_command_that_finishes_it(folder: Path, tmp_path: Path) -> None:
+    files.write(tmp_path, texts(folder) | notices(CHARTS, TARGETS["matlab"]))
+    said = matlab.octave(tmp_path, "dualcay.cayley2.pose(zeros(6, 1))")
+    command = "python -m derive generate -n 1,2 --target matlab"
+    assert said.startswith(f"error: half-written kernels: finish them with  {command}")
 
 
 # --- the folder as others -----------------------------------------------------------------------------------------
