@@ -26,6 +26,7 @@ MISSING = {
         ("rust", rust.find(), rust.MISSING),
         ("node", node.find(), node.MISSING),
         ("coq", shutil.which("coqc"), "Coq is not installed (apt-get install coq)"),
+        ("octave", shutil.which("octave-cli"), "GNU Octave is not installed (apt-get install octave)"),
     ]
     if not found
 }
@@ -36,7 +37,9 @@ MISSING = {
 os.environ.setdefault("DUALCAY_NATIVE", "0")
 
 
-SELECTED = {"browser", "compiler", "coq", "fortran", "gpu", "node", "rust", "smoke", "thorough", "torch"}
+SELECTED = {
+    "browser", "compiler", "coq", "fortran", "gpu", "node", "octave", "rust", "smoke", "thorough", "torch",
+}  # fmt: skip
 """Markers of this project that select tests."""
 
 

@@ -18,7 +18,7 @@ from ..maps.chart import Chart
 from ..maps.elementary import alpha
 from ..maps.sine import Sine
 from ..output import files, generated
-from .package import command, module_name
+from .package import command
 from .signatures import ROTATIONS
 from .targets import TARGETS, Target
 
@@ -74,10 +74,10 @@ def chart_of(line: str) -> Chart | None:
 
 def charts_in(folder: Path, target: Target) -> Iterator[Chart]:
     """Yield the charts whose modules in a folder begin with the command that generates them."""
-    for path in sorted(folder.glob(f"*.{target.extension}")):
+    for path in sorted(folder.glob(target.file("*"))):
         line = files.header_command(path) or ""
         chart = chart_of(line)
-        if chart and module_name(chart, target) == path.name and command(target.name, chart) == line:
+        if chart and folder / target.file(chart.name) == path and command(target.name, chart) == line:
             yield chart
 
 
@@ -107,9 +107,10 @@ def reserved_names() -> frozenset[str]:
 
 
 def _reserved(target: Target) -> Iterator[str]:
+    yield from target.words
     for file, make in target.shared().items():
         path = PurePath(file)
-        yield from path.parts[:-1]
+        yield from (part.lstrip("+") for part in path.parts[:-1])
         if path.suffix in (f".{target.extension}", ".ts"):
             yield path.name.partition(".")[0]
         if path.name == "__init__.py":

@@ -14,20 +14,28 @@ import pytest
 
 from derive.codegen.targets import TARGETS
 from derive.codegen.validation.batches import ValidationFailed
-from tests.support import js, languages, listing, pages, rust
+from tests.support import js, languages, listing, matlab, pages, rust
 from tests.support.languages import chart, differing, expected, write
 
 pytestmark = pytest.mark.compiler
 
 FIRST = ("cayley2",)
 CHARTS = ("cayley1", "cayley3", "cayley4", "cayley5", "cayley8", "exponential", "lambert")
-RUN = {"json": listing.run, "rust": rust.run, "js": js.run}
-LANGUAGES = ["json", pytest.param("rust", marks=pytest.mark.rust), pytest.param("js", marks=pytest.mark.node)]
+RUN = {"json": listing.run, "rust": rust.run, "js": js.run, "matlab": matlab.run}
+LANGUAGES = [
+    "json", pytest.param("rust", marks=pytest.mark.rust), pytest.param("js", marks=pytest.mark.node),
+    pytest.param("matlab", marks=pytest.mark.octave),
+]  # fmt: skip
 ALTERED = {
     "json": [
         ("cayley2.json", '["x13", "add", "v11", "v33"]', '["x13", "subtract", "v11", "v33"]'),
         ("cayley2.json", '["x12", "add", "v11", "v22"]', '["x12", "add", "v11", "v33"]'),
         ("cayley2.json", '["within", "select", "t15", "last", "alpha"]', '["within", "add", 0, "alpha"]'),
+    ],
+    "matlab": [
+        ("+dualcay/+cayley2/tensor.m", "q12 = gvv1 - fv3;", "q12 = gvv1 + fv3;"),
+        ("+dualcay/+cayley2/pose.m", "pose_scalars(v11, v22, v33)", "pose_scalars(v11, v22, v22)"),
+        ("+dualcay/+cayley2/from_pose.m", "best1 = dualcay.internal.select(larger1, t1, t0);", "best1 = t0;"),
     ],
     "rust": [
         ("geometry.rs", "let q12 = gvv1 - fv3;", "let q12 = gvv1 + fv3;"),
@@ -45,6 +53,7 @@ ALTERED = {
 FUNCTIONS = {
     "rust": ("geometry.rs", "geometry::rate::<$chart, T>(*v, *omega,", "geometry::rate::<$chart, T>(*omega, *v,"),
     "js": ("geometry.js", "omega[4], omega[5], 1, 0.5,", "omega[5], omega[4], 1, 0.5,"),
+    "matlab": ("+dualcay/+cayley2/rate.m", "omega(5, :), omega(6, :), 1.0", "omega(6, :), omega(5, :), 1.0"),
 }
 """Alterations of the functions around the programs: swapped arguments of rate."""
 
