@@ -79,7 +79,8 @@ def test_release_changes_files_that_tell_the_version(target: str, monkeypatch: p
     before = dict(shared_texts(TARGETS[target]))
     monkeypatch.setattr(about, "__version__", "99.1.2")
     after = shared_texts(TARGETS[target])
-    told = {"c": "CMakeLists.txt", "rust": "Cargo.toml", "js": "package.json", "matlab": "Contents.m"}  # tools read the version there
+    # tools of the language read the version there
+    told = {"c": "CMakeLists.txt", "rust": "Cargo.toml", "js": "package.json", "matlab": "Contents.m"}
     wanted = {TARGETS[target].entry, *filter(None, [told.get(target)])}
     assert {name for name, text in before.items() if after[name] != text} == wanted
 
