@@ -16,7 +16,7 @@ from tests.support.libraries import Late
 OPTIONS = {
     "arm": "--poses 8", "attitude_filter": "--runs 40 --steps 240", "heavy_top": "--end 0.04",
     "rendezvous": "--runs 400", "rotation_vectors": "--rate 5", "stream": "--count 20000 --chunk 5000",
-    "inverse_kinematics_jax": "--targets 2 --starts 12",
+    "inverse_kinematics_jax": "--targets 2 --starts 12", "preintegration": "--rate 40 --frames 2",
 }  # fmt: skip
 SLOW = {"inverse_kinematics_jax": pytest.mark.thorough}  # compiled
 
