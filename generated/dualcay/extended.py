@@ -80,14 +80,14 @@ def _place(part: int, width: int, axes: int, axis: int) -> tuple[Any, ...]:
     return (*grid, ...) if axis == 0 else (..., *grid)
 
 
-def _glued(poses: list[Array], width: int, axes: int, axis: int) -> Array:
-    """Return the array that holds results for poses, whose real parts are equal."""
+def _glued(poses: list[Array], width: int, axes: int, axis: int, out: Array | None = None) -> Array:
+    """Return the array that holds results for poses, whose real parts are equal; ``out`` filled with it if given."""
     first, size = poses[0], (3 + width * len(poses),) * axes
     full = size + first.shape[axes:] if axis == 0 else first.shape[: first.ndim - axes] + size
     found: Array = np.zeros(full, first.dtype)
     for part, pose in reversed([*enumerate(poses)]):
         found[_place(part, width, axes, axis)] = pose
-    return found
+    return np.asarray(filled(found, out))
 
 
 def _length(name: str, value: ArrayLike, axes: int, axis: int, fixed: str, width: int) -> int:
@@ -165,7 +165,7 @@ class ExtendedKernels:
         return [getattr(self.poses, name)(*(array[at] for array in arrays), axis=axis) for at in parts]
 
     def _run(self, name: str, axes: int, axis: int, out: Array | None, **arguments: ArrayLike) -> Array:
-        return filled(_glued(self._each(name, axis, arguments), PART, axes, axis), out)
+        return _glued(self._each(name, axis, arguments), PART, axes, axis, out)
 
     def _pair(self, name: str, axis: int, **arguments: ArrayLike) -> tuple[Array, ...]:
         return tuple(_glued([*one], PART, 2, axis) for one in zip(*self._each(name, axis, arguments)))
@@ -173,12 +173,12 @@ class ExtendedKernels:
     def _operator(self, name: str, axis: int, out: Array | None, v: ArrayLike) -> Array:
         first, last = ((0, 1, 2), (-3, -2, -1)) if axis == 0 else ((), ())
         matrices = [matrix6(np.moveaxis(D, first, last)) for D in self._each(name, axis, {"v": v})]
-        return filled(_glued([np.moveaxis(M, last[1:], first[:2]) for M in matrices], PART, 2, axis), out)
+        return _glued([np.moveaxis(M, last[1:], first[:2]) for M in matrices], PART, 2, axis, out)
 
     @_sections("T", EVERY, "cayley2.pose(cayley2.inverse(v)) @ cayley2.pose(v), np.eye(5)")
     def pose(self, v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
         """Return the matrix X of v, CP23 (16) of (57): position ``Re(T) v°`` for each dual part v°."""
-        return filled(_glued(self._each("pose", axis, {"v": v}), COLUMN, 2, axis), out)
+        return _glued(self._each("pose", axis, {"v": v}), COLUMN, 2, axis, out)
 
     @_sections("v", PRINCIPAL, "cayley2.from_pose(cayley2.pose(v)), v")
     def from_pose(
@@ -189,7 +189,7 @@ class ExtendedKernels:
         array = as_array("T", T, (n, n), axis, real=True)
         require(_law(n - 3), array, axis, check)
         poses = (array[_place(part, COLUMN, 2, axis)] for part in range(n - 3))
-        return filled(_glued([self.poses.from_pose(pose, axis=axis) for pose in poses], PART, 1, axis), out)
+        return _glued([self.poses.from_pose(pose, axis=axis) for pose in poses], PART, 1, axis, out)
 
     @_sections("array, shape (3 + 3k,)", "Zeros.", "cayley2.pose(cayley2.identity()), np.eye(5)")
     def identity(self, *, k: int = 2) -> Array:
