@@ -32,8 +32,8 @@ __all__ = [
 __version__ = "0.1.0"
 
 
-PARTS = ("rotation", "dask", "interop")
-"""Public parts that are no chart: the package of rotations alone, and tools that import further libraries."""
+PARTS = ("rotation", "dask", "extended", "interop")
+"""Public parts that are no chart: rotations alone, poses with velocity, and tools that import further libraries."""
 
 
 def _modules() -> list[str]:

@@ -27,7 +27,7 @@ def test_the_version_matches_the_toolkit() -> None:
 def test_the_package_lists_its_modules_and_functions() -> None:
     assert set(MODULES) <= set(dir(dualcay))
     public = {name for name in dir(dualcay) if not name.startswith("_")}
-    assert public == {*MODULES, *dualcay.__all__, "dask", "interop", "rotation"}
+    assert public == {*MODULES, *dualcay.__all__, "dask", "extended", "interop", "rotation"}
     assert all(hasattr(dualcay, name) for name in dir(dualcay))
 
 

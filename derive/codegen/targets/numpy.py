@@ -25,9 +25,9 @@ class Numpy(PythonTarget):
     files = (
         *PythonTarget.files, "_covariances.py", "_kernel.py", "_means.py", "_motion.py", "_multiple.py", "_native.py",
         "_numbers.py", "_other_vectors.py", "_prepared.py", "_program.py", "_propagate.py", "_recorder.py",
-        "_sequences.py", "_stepping.py", "_switching.py", "_trajectory.py", "_twist.py", "interop.py",
+        "_sequences.py", "_stepping.py", "_switching.py", "_trajectory.py", "_twist.py", "extended.py", "interop.py",
     )  # fmt: skip
-    tools = ("dask", "interop")
+    tools = ("dask", "extended", "interop")
     imports_bases = True
 
     def shared(self) -> dict[str, Callable[[], Data]]:
