@@ -26,7 +26,6 @@ F = TypeVar("F", bound=Callable[..., Any])
 
 COLUMN, PART = 1, 3
 """Lengths of a dual part: a column of X, and three components of a vector."""
-
 VECTOR = "array, shape (..., 3 + 3k)\n    "
 MATRIX = "array, shape (..., 3 + 3k, 3 + 3k)\n    Rows: components of the result. Columns: of the argument."
 ENTRIES = {
@@ -71,6 +70,7 @@ def _sections(returns: str, domain: str, example: str) -> Callable[[F], F]:
     return complete
 
 
+@cache
 def _place(part: int, width: int, axes: int, axis: int) -> tuple[Any, ...]:
     """Return the index of the pose with one dual part: in a vector (one axis), or in a matrix (two)."""
     grid = np.ix_(*[np.r_[:3, 3 + width * part : 3 + width * (part + 1)]] * axes)
