@@ -19,11 +19,13 @@ from typing import TYPE_CHECKING, Any
 
 from ._motion import Motion, MotionError
 from ._propagate import propagate
+from ._spline import PoseSpline, SplineJacobians
 from ._switching import switch_event, unwrap
 from ._tools import convert, convert_jacobian, matrix6
 
 __all__ = [
-    "Motion", "MotionError", "backend", "convert", "convert_jacobian", "matrix6", "propagate", "switch_event", "unwrap",
+    "Motion", "MotionError", "PoseSpline", "SplineJacobians", "backend", "convert", "convert_jacobian", "matrix6",
+    "propagate", "switch_event", "unwrap",
 ]  # fmt: skip
 
 __version__ = "0.1.0"
