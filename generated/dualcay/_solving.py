@@ -88,8 +88,8 @@ def _solved(
 
     ``unknown`` are numbers of the control poses; equal ones move alike.
     """
-    group, far = curve.group, abs(poses[..., :3, -1]).max()
-    apart = abs(group.between(poses[:-1], poses[1:])[..., :3, -1]).max()
+    group, far = curve.group, abs(poses[..., :3, -1]).max(initial=0)
+    apart = abs(group.between(poses[:-1], poses[1:])[..., :3, -1]).max(initial=0)
     allowed = TOLERANCE * np.repeat([1.0, apart + far / 1000], 3)[: group.size]
 
     def equations(curve: Curve) -> tuple[csc_matrix, Array]:

@@ -96,7 +96,8 @@ class PoseSpline(OfModule):
     --------
     >>> import numpy as np
     >>> from dualcay import PoseSpline, cayley2
-    >>> t, poses = np.arange(5.0), cayley2.pose(cayley2.random(5, rng=1, angle=1.0))
+    >>> t = np.arange(5.0)
+    >>> poses = cayley2.pose(np.outer(np.sin(t), [0.3, 0.1, 0, 1, 0, 2]))
     >>> spline = PoseSpline(cayley2, t, poses)
     >>> np.allclose(spline.pose(t), poses), spline.twist(2.5, frame="body").shape
     (True, (6,))
