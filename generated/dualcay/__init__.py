@@ -21,12 +21,14 @@ from ._covariances import between_covariance, compose_covariance, inverse_covari
 from ._means import mean
 from ._motion import Motion, MotionError
 from ._propagate import propagate
+from ._spline import PoseSpline, SplineJacobians
 from ._switching import switch_event, unwrap
 from ._tools import convert, convert_jacobian, matrix6
 
 __all__ = [
-    "Motion", "MotionError", "backend", "between_covariance", "compose_covariance", "convert", "convert_jacobian",
-    "inverse_covariance", "matrix6", "mean", "propagate", "switch_event", "transform_point_covariance", "unwrap",
+    "Motion", "MotionError", "PoseSpline", "SplineJacobians", "backend", "between_covariance", "compose_covariance",
+    "convert", "convert_jacobian", "inverse_covariance", "matrix6", "mean", "propagate", "switch_event",
+    "transform_point_covariance", "unwrap",
 ]  # fmt: skip
 
 __version__ = "0.1.0"

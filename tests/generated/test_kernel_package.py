@@ -108,7 +108,7 @@ def test_names_and_arguments_are_known_to_type_checkers(tmp_path: Path, monkeypa
 
 
 ROOT = Path(__file__).resolve().parents[2]
-SCIPY = ("_stepping.py", "_trajectory.py", "_twist.py", "interop.py")
+SCIPY = ("_solving.py", "_stepping.py", "_trajectory.py", "_twist.py", "interop.py")
 OPTIONAL = {"dask.py": {"dask"}} | {name: {"scipy"} for name in SCIPY}
 """Libraries that modules of tools import, by file."""
 
