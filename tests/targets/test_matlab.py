@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 
+from derive.codegen import catalogue
 from derive.codegen.build import check_charts, print_package
 from derive.codegen.package import notices
 from derive.codegen.targets import TARGETS
@@ -164,9 +165,10 @@ def test_program_of_the_guide_prints_what_it_shows(folder: Path) -> None:
 
 @pytest.mark.octave
 def test_half_written_package_names_the_command_that_finishes_it(folder: Path, tmp_path: Path) -> None:
-    files.write(tmp_path, texts(folder) | notices(CHARTS, TARGETS["matlab"]))
+    own = catalogue.charts(phi="2*tan(alpha/4)", name="mine")
+    files.write(tmp_path, texts(folder) | notices(own, TARGETS["matlab"]))
     said = matlab.octave(tmp_path, "dualcay.cayley2.pose(zeros(6, 1))")
-    command = "python -m derive generate -n 1,2 --target matlab"
+    command = "python -m derive generate --phi '2*tan(alpha/4)' --name mine --target matlab"
     assert said.startswith(f"error: half-written kernels: finish them with  {command}")
 
 
