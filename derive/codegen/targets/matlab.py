@@ -126,7 +126,8 @@ def function(f: Public, facts: Facts, scalars: Mapping[str, str]) -> Data:
     turn = ["turns(1, k + 1)", "turns(2, k + 1)"] if chart.branches else ["turns(1)", "k * turns(2)"]
 
     def call(program: str, texts: Sequence[str], indent: str = INDENT) -> str:
-        array = f"zeros({sum(a.size for a in f.row.results)}, n, 'like', {given[0]})"
+        kind = " + ".join(f"{argument}([])" for argument in given)  # single if one of them is
+        array = f"zeros({sum(a.size for a in f.row.results)}, n, 'like', {kind})"
         return statement(f"{whole} = {program}_program(", [array, *texts], ");", indent)
 
     return {
