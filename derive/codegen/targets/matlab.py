@@ -42,7 +42,8 @@ DIALECT = Dialect(
     CALLS, reciprocal=lambda integer: (f"1 / {integer}", OPERATORS["div"].strength),
 )  # fmt: skip
 GRAMMAR = Grammar(
-    head=r"^function (?:out = (?=\w+_program)|\[?out1[^=]* = )(?P<name>\w+)\((?:\s*out, )?(?P<given>[^()]*)\)$",
+    head=r"^function (?:out = (?=\w+_program)|\[?(?P<made>out\d[^=\]]*)\]? = )(?P<name>\w+)"
+    r"\((?:\s*out, )?(?P<given>[^()]*)\)$",
     end="^end$",
     statements={
         "call": rf"\[?(?P<names>[^\]=]*)\]? = (?P<called>{'|'.join(SCALARS)})\((?P<given>.*)\)",
