@@ -270,7 +270,7 @@ def shared_texts(target: Target) -> dict[str, str]:
     texts = {}
     for name, make in target.shared().items():
         file = f"{target.name}/{name}"
-        version = [f"Version {about.__version__}."] if name == target.entry else []  # a release changes no other file
+        version = [f"Version {about.__version__}."] if name == target.entry else []  # no other header tells it
         lines = [*head(command(target.name), source(file)), *version]
         texts[name] = generated(file, _header(lines, _mark(name, target)), **make())
     target.require_complete(texts)

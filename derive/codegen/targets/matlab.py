@@ -42,7 +42,8 @@ DIALECT = Dialect(
     CALLS, reciprocal=lambda integer: (f"1 / {integer}", OPERATORS["div"].strength),
 )  # fmt: skip
 GRAMMAR = Grammar(
-    head=r"^function (?:out = (?=\w+_program)|\[?out1[^=]* = )(?P<name>\w+)\((?:\s*out, )?(?P<given>[^()]*)\)$",
+    head=r"^function (?:out = (?=\w+_program)|\[?(?P<made>out\d[^=\]]*)\]? = )(?P<name>\w+)"
+    r"\((?:\s*out, )?(?P<given>[^()]*)\)$",
     end="^end$",
     statements={
         "call": rf"\[?(?P<names>[^\]=]*)\]? = (?P<called>{'|'.join(SCALARS)})\((?P<given>.*)\)",
@@ -126,7 +127,8 @@ def function(f: Public, facts: Facts, scalars: Mapping[str, str]) -> Data:
     turn = ["turns(1, k + 1)", "turns(2, k + 1)"] if chart.branches else ["turns(1)", "k * turns(2)"]
 
     def call(program: str, texts: Sequence[str], indent: str = INDENT) -> str:
-        array = f"zeros({sum(a.size for a in f.row.results)}, n, 'like', {given[0]})"
+        kind = " + ".join(f"{argument}([])" for argument in given)  # single if one of them is
+        array = f"zeros({sum(a.size for a in f.row.results)}, n, 'like', {kind})"
         return statement(f"{whole} = {program}_program(", [array, *texts], ");", indent)
 
     return {

@@ -30,8 +30,13 @@ from .straight import (
     single,
 )
 
-RESERVED = frozenset(("as", "box", "do", "else", "end", "final", "fn", "for", "if", "in", "let", "match", "mod", "move",
-                      "ref", "self", "step", "try", "type", "use", "where", "while", "yield"))  # fmt: skip
+WORDS = frozenset((
+    "Self", "abstract", "as", "async", "await", "become", "box", "break", "const", "continue", "crate", "do", "dyn",
+    "else", "enum", "extern", "false", "final", "fn", "for", "gen", "if", "impl", "in", "let", "loop", "macro", "match",
+    "mod", "move", "mut", "override", "priv", "pub", "ref", "return", "self", "static", "std", "struct", "super",
+    "trait", "true", "try", "type", "typeof", "unsafe", "unsized", "use", "virtual", "where", "while", "yield",
+))  # fmt: skip
+"""Words of the language, and the name of its library: neither variables nor modules have them."""
 FUNCTIONS = {"abs": "abs", "sqrt": "sqrt", "tan": "tan", "atan2": "atan2", "expm1": "exp_m1", "log1p": "ln_1p"}
 """Methods of the real type."""
 
@@ -183,7 +188,8 @@ class Rust(Straight):
     entry = "lib.rs"
     comment = "//"
     dialect = DIALECT
-    reserved = RESERVED
+    words = WORDS
+    reserved = WORDS
     grammar = GRAMMAR
 
     def texts(self, chart: Chart, table: Table) -> Sequence[str]:
@@ -204,7 +210,6 @@ class Rust(Straight):
         chart, numbers = facts.chart, numbers_of(facts.chart)
         return {
             "name": chart.name,
-            "type": chart.name.title().replace("_", ""),
             "order": chart.order,
             "branches": chart.branches,
             "ends": chart.ends,
@@ -217,6 +222,6 @@ class Rust(Straight):
         }
 
     def companions(self, facts: Facts) -> dict[str, tuple[str, Data]]:
-        chart = facts.chart
-        data = {"name": chart.name, "type": chart.name.title().replace("_", ""), "aliases": ROTATIONS.aliases(chart)}
-        return {inside(ROTATIONS, f"{chart.name}.rs"): (inside(ROTATIONS, "chart.rs"), data)}
+        name = facts.chart.name
+        data = {"name": name, "aliases": ROTATIONS.aliases(facts.chart)}
+        return {inside(ROTATIONS, f"{name}.rs"): (inside(ROTATIONS, "chart.rs"), data)}

@@ -28,10 +28,10 @@ OPERATIONS = {
 class Grammar:
     """Statements of a language: patterns of a function's head and of statements, and names of functions.
 
-    ``head`` has the groups ``name`` and ``given``; ``end`` is the line that closes a function. The kinds of statements
-    and their groups: ``value`` and ``number`` (of the chart) with ``name`` and ``value``; ``call`` with ``called`` and
-    ``given``, and ``names`` unless ``read`` follows; ``unpacked`` with ``names`` and ``whole``; ``result`` with
-    ``value``.
+    ``head`` has the groups ``name`` and ``given``, and ``made`` if it numbers the results; ``end`` is the line that
+    closes a function. The kinds of statements and their groups: ``value`` and ``number`` (of the chart) with ``name``
+    and ``value``; ``call`` with ``called`` and ``given``, and ``names`` unless ``read`` follows; ``unpacked`` with
+    ``names`` and ``whole``; ``result`` with ``value``.
     """
 
     head: str
@@ -197,6 +197,9 @@ def read(text: str, grammar: Grammar, numbers: Mapping[str, float]) -> dict[str,
         for statement in map(str.strip, text[head.end() : end.start()].split(";")):
             if statement:
                 body.statement(" ".join(statement.split()))
+        made = re.findall(r"\d+", head.groupdict().get("made") or "")
+        if made not in ([], [str(grammar.first + place) for place in range(len(body.results))]):
+            raise ValidationFailed(f"the results of {head['name']} have places {', '.join(made)}")
         given = [name for argument in _parameters(head["given"]) for name in _components(argument, body, grammar)]
         name, program = grammar.program(head["name"]), {"given": given, "steps": body.steps, "results": body.results}
         if found.setdefault(name, program) != program:
