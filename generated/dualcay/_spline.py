@@ -78,13 +78,6 @@ class PoseSpline(OfModule):
     twists : array, shape (2, 6), optional
         Space twists at both ends of a clamped curve; 0 if none are given.
 
-    Attributes
-    ----------
-    knots : array
-        Times from the first to the last between which the curve is smooth.
-    controls : array, shape (N, 4, 4)
-        Control poses; (N, 3, 3) for rotations.
-
     Raises
     ------
     ValueError, TypeError
@@ -183,10 +176,12 @@ class PoseSpline(OfModule):
 
     @property
     def knots(self) -> Array:
+        """Times, from the first to the last, between which the curve is smooth."""
         return self._curve.breaks
 
     @property
     def controls(self) -> Array:
+        """Control poses, shape (N, 4, 4); (N, 3, 3) for rotations."""
         return self._curve.controls if self.period is None else self._curve.controls[1:-2]
 
     def __call__(self, t: ArrayLike, order: int = 0) -> Array:
