@@ -108,10 +108,11 @@ def reserved_names() -> frozenset[str]:
 
 def _reserved(target: Target) -> Iterator[str]:
     yield from target.words
+    homes = {PurePath(target.file("chart", table)).parent for table in target.tables}  # folders of charts
     for file, make in target.shared().items():
         path = PurePath(file)
         yield from (part.lstrip("+") for part in path.parts[:-1])
-        if path.suffix in (f".{target.extension}", ".ts"):
+        if path.parent in homes and path.suffix in (f".{target.extension}", ".ts"):
             yield path.name.partition(".")[0]
         if path.name == "__init__.py":
             yield from _globals(symtable.symtable(generated(f"{target.name}/{file}", "", **make()), file, "exec"))

@@ -19,7 +19,9 @@ from tests.support.command import ROOT, dualcay
 @pytest.mark.parametrize("target", TARGETS)
 def test_names_of_shared_files_and_words_of_the_language_are_reserved(target: str) -> None:
     endings = (f".{TARGETS[target].extension}", ".d.ts")
-    stems = {Path(file).name.partition(".")[0] for file in TARGETS[target].shared() if file.endswith(endings)}
+    homes = {Path(TARGETS[target].file("chart", table)).parent for table in TARGETS[target].tables}
+    beside = [Path(file) for file in TARGETS[target].shared() if file.endswith(endings)]
+    stems = {file.name.partition(".")[0] for file in beside if file.parent in homes}
     folders = {part.lstrip("+") for file in TARGETS[target].shared() for part in Path(file).parts[:-1]}
     assert {*stems, *folders, *TARGETS[target].words} <= catalogue.reserved_names()
 
