@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import shutil
 import subprocess
 from collections.abc import Sequence
 from pathlib import Path
@@ -13,7 +12,6 @@ import numpy as np
 
 from tests.support.languages import Case, parted
 
-MISSING = "cargo is not found (install Rust)"
 MANIFEST = """[package]
 name = "rows"
 version = "0.1.0"
@@ -45,10 +43,6 @@ fn main() {{
 """
 
 
-def find() -> str | None:
-    return shutil.which("cargo")
-
-
 def run(folder: Path, cases: Sequence[Case], place: Path, dtype: Any = np.float64) -> list[list[np.ndarray]]:
     """Return the results of a crate in a folder for each case; the program is built in another one."""
     real = "f64" if dtype == np.float64 else "f32"
@@ -78,7 +72,7 @@ def write(place: Path, folder: Path, program: str) -> None:
 def cargo(place: Path, *arguments: str) -> str:
     """Run cargo in a folder; return what it says."""
     environment = {**os.environ, "CARGO_TARGET_DIR": str(place / "target")}
-    done = subprocess.run([str(find()), *arguments], cwd=place, env=environment, capture_output=True, text=True)
+    done = subprocess.run(["cargo", *arguments], cwd=place, env=environment, capture_output=True, text=True)
     assert done.returncode == 0, done.stderr
     return done.stdout + done.stderr
 
