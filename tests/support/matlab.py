@@ -14,7 +14,7 @@ from derive.codegen.rows import Function
 from derive.codegen.signatures import POSES, ROTATIONS
 from derive.codegen.targets.matlab import name_of
 
-FUNCTIONS = {table.name: {**table.public, **table.composed} for table in (POSES, ROTATIONS)}
+FUNCTIONS = {table.name: table.all_public for table in (POSES, ROTATIONS)}
 QUIET = "warning('off', 'Octave:shadowed-function');"
 """Octave warns of a function in a package that has the name of a built-in one, though it hides none."""
 

@@ -20,7 +20,7 @@ from tests.support import matlab, pages
 CHARTS = [Cayley(1), Cayley(2)]
 HELP = re.compile(r"(?:function .*\n)?% ?(\w+)  (\S.*)\n(?:%.*\n)*\n% python -m derive generate")
 OUTSIDE = re.compile(r"[{}@]|\b(?:cellfun|arrayfun|eval|feval|global|persistent|struct)\b")
-"""What code for MATLAB Coder does without: cell arrays, function handles, and names that are looked up as it runs."""
+"""Constructs that code for MATLAB Coder may not have: cell arrays, function handles, names looked up as it runs."""
 
 
 @pytest.fixture(scope="module")

@@ -13,10 +13,11 @@ from ..package import Data, Facts
 from ..rows import Array, Table, inside
 from ..signatures import POSES, ROTATIONS
 from ..validation.straight_text import Grammar
+from .c import copy_of, programs
 from .c99 import OPERATORS
 from .expression import INDENT, Dialect, Text, items
 from .json import OWN, numbers_of
-from .straight import Printed, Public, Step, Straight, broken, called, double, own, programs, public
+from .straight import Printed, Public, Step, Straight, broken, called, double, own, public
 
 WORDS = frozenset((
     "arguments", "await", "break", "case", "catch", "class", "const", "continue", "debugger", "default", "delete", "do",
@@ -142,7 +143,7 @@ class Js(Straight):
         return files
 
     def geometry(self, table: Table) -> Data:
-        printed = [self.printed(program) for program in programs(table).values()]
+        printed = [self.printed(program) for program in (*programs(table).values(), copy_of(table))]
         largest = max(len(SCALARS[name].results) for name in called(self.tables))
         return {
             "programs": [function(program, "function ") for program in printed],

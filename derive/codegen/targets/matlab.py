@@ -18,13 +18,13 @@ from ..lowering.scalar_programs import SCALARS
 from ..package import Data, Facts
 from ..programs.trace import written_out
 from ..rows import Function, Table
-from ..signatures import POSES, RETURNED, ROTATIONS, STAYED, geometry
+from ..signatures import POSES, ROTATIONS, geometry
 from ..validation.float_cases import FloatCase, cases, composed
 from ..validation.straight_text import Grammar
-from .c import GATE
+from .c import GATE, copy_of
 from .expression import INDENT, OPERATORS, WIDTH, Dialect, Operator
-from .json import OWN, numbers_of
-from .straight import Printed, Public, Step, Straight, broken, copy_of, double, own, printed, public
+from .json import OWN, numbers_of, wiring
+from .straight import Printed, Public, Step, Straight, broken, double, own, printed, public
 
 WORDS = frozenset(("break", "case", "catch", "classdef", "continue", "else", "elseif", "end", "for", "function",
                    "global", "if", "otherwise", "parfor", "persistent", "return", "spmd", "switch", "try",
@@ -111,8 +111,7 @@ def program_of(table: Table, name: str) -> tuple[str, frozenset[str]]:
 def function(f: Public, facts: Facts, scalars: Mapping[str, str]) -> Data:
     """Return the data of the file of a public function."""
     chart, given = facts.chart, [a.name for a in f.row.arguments]
-    stayed = "stay" if chart.ends else "copy"
-    first = {STAYED: stayed, RETURNED: stayed if chart.branches == 1 else "principal"}.get(f.way.program, f.way.program)
+    first = wiring(f.row, f.table, chart)["program"]
     turned = "" if chart.branches == 1 else f.way.then or f.way.instead
     found = [program_of(f.table, name) for name in (first, turned) if name]
     called = frozenset[str]().union(*(names for _, names in found))

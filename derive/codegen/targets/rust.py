@@ -13,10 +13,10 @@ from ..package import Data, Facts
 from ..rows import Table, inside
 from ..signatures import POSES, ROTATIONS, TABLE
 from ..validation.straight_text import Grammar
+from .c import copy_of, programs
 from .expression import INDENT, OPERATORS, WIDTH, Dialect, Text
 from .json import OWN, numbers_of
 from .straight import (
-    PI,
     Printed,
     Public,
     Step,
@@ -25,11 +25,11 @@ from .straight import (
     called,
     double,
     own,
-    programs,
     public,
     single,
 )
 
+PI = "3.14159265358979323846264338327950288419716939937510582097494"
 WORDS = frozenset((
     "Self", "abstract", "as", "async", "await", "become", "box", "break", "const", "continue", "crate", "do", "dyn",
     "else", "enum", "extern", "false", "final", "fn", "for", "gen", "if", "impl", "in", "let", "loop", "macro", "match",
@@ -203,7 +203,8 @@ class Rust(Straight):
 
     def geometry(self, table: Table) -> Data:
         (v,) = table.sources["shadow"].arguments
-        return {"programs": [shared_function(self.printed(program)) for program in programs(table).values()],
+        found = *programs(table).values(), copy_of(table)
+        return {"programs": [shared_function(self.printed(program)) for program in found],
                 "functions": [(f, public_function(f)) for f in public(table)], "size": v.size}  # fmt: skip
 
     def module(self, facts: Facts) -> Data:
