@@ -25,7 +25,7 @@ OTHER_FAMILIES = ("reduced_euler_rodrigues", "homochoric", "isochoric")
 MAX_ORDER = 64
 """Largest order generated without --max-n; proof times of higher orders were not measured."""
 
-TARGETS = ("numpy", "array-api", "numba", "c", "native", "json", "rust")
+TARGETS = ("numpy", "array-api", "numba", "c", "native", "json", "rust", "js", "matlab")
 """Keys of `derive.codegen.targets.TARGETS`."""
 
 TARGET = TARGETS[0]

@@ -31,6 +31,7 @@ extensions = [
     "sphinx_gallery.gen_gallery",
     "_ext.dark",
     "_ext.function_pages",
+    "_ext.live",
     "_ext.printed",
     "_ext.publication",
     "_ext.reference",

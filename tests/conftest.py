@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 from filelock import FileLock
 
-from tests.support import browsers, compilers, rust
+from tests.support import browsers, compilers, node
 
 NO_GPU = "a GPU of NVIDIA, with CuPy and PyTorch, is not found"
 MISSING = {
@@ -23,8 +23,10 @@ MISSING = {
         ("browser", browsers.find(), browsers.MISSING),
         ("compiler", compilers.find(), compilers.MISSING),
         ("fortran", shutil.which("gfortran"), "gfortran is not found (apt-get install gfortran)"),
-        ("rust", rust.find(), rust.MISSING),
+        ("rust", shutil.which("cargo"), "cargo is not found (install Rust)"),
+        ("node", node.find(), node.MISSING),
         ("coq", shutil.which("coqc"), "Coq is not installed (apt-get install coq)"),
+        ("octave", shutil.which("octave-cli"), "GNU Octave is not installed (apt-get install octave)"),
     ]
     if not found
 }
@@ -35,7 +37,9 @@ MISSING = {
 os.environ.setdefault("DUALCAY_NATIVE", "0")
 
 
-SELECTED = {"browser", "compiler", "coq", "fortran", "gpu", "rust", "smoke", "thorough", "torch"}
+SELECTED = {
+    "browser", "compiler", "coq", "fortran", "gpu", "node", "octave", "rust", "smoke", "thorough", "torch",
+}  # fmt: skip
 """Markers of this project that select tests."""
 
 

@@ -16,7 +16,8 @@ HEADING, NEXT = "## Certified bounds", "## Range"
 TEXT = (
     "Largest error of each output of the C functions in double, in eps (2.22e-16), not relative to the output.",
     "Gappa certifies the bounds for every v with |v| ≤ 1 and a translation of length at most 1, if each operation is "
-    "rounded to nearest and none is fused. Arguments count as exact, and entries that are constant have no row. "
+    "rounded to nearest and none is fused (`-ffp-contract=off`). Arguments count as exact, and entries that are "
+    "constant have no row. "
     f"Measured errors are those of {SAMPLES} random v with the largest dual parts. `make machine-proofs` reads the "
     "programs back from the headers and certifies the bounds again.",
 )

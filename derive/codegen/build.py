@@ -21,8 +21,7 @@ from ..output.shown import Progress, Step, bar, silent
 from ..proof import prove
 from ..workers import mapping, scratch
 from . import catalogue
-from .package import Counts, Facts, Module, Package, module_name, module_texts, notices, shared_texts
-from .rows import inside
+from .package import Counts, Facts, Module, Package, module_texts, notices, shared_texts
 from .signatures import Lowered, lower
 from .targets import TARGETS, Target
 
@@ -97,7 +96,7 @@ def print_package(
 
 
 def print_module(lowered: Lowered, target: Target, tested: bool = True) -> Module:
-    return Module(module_name(lowered.chart, target), lowered.proved, module_texts(Facts(lowered), target, tested))
+    return Module(target.file(lowered.name), lowered.proved, module_texts(Facts(lowered), target, tested))
 
 
 def write(module: Module, target: Target, folder: Path, geometry: Chart, asked: Sequence[Chart]) -> Written:
@@ -159,7 +158,7 @@ def generate(
     orders : iterable of int, optional
         Orders n >= 1 of Cayley maps. Without orders, families and φ, the committed charts are written.
     target : str
-        ``"numpy"``, ``"array-api"``, ``"numba"``, ``"c"``, ``"native"`` or ``"json"``.
+        A key of `derive.codegen.targets.TARGETS`: ``"numpy"``, ``"c"``, ``"matlab"`` and so on.
     output : path, optional
         Folder of the package, made if missing. ``"numpy"`` has the default ``generated/dualcay`` of a checkout.
     families : iterable of str
@@ -218,7 +217,7 @@ def generate_charts(
     for chart in wanted:
         chart.require_kernels()
     entry = notices(wanted, chosen)
-    modules = (inside(table, module_name(chart, chosen)) for table in chosen.tables for chart in wanted)
+    modules = (chosen.file(chart.name, table) for table in chosen.tables for chart in wanted)
     files.refuse(folder, dict.fromkeys((*chosen.shared(), *modules), "") | entry, force)  # before the long work
     package = build(wanted, chosen, progress, processes)
     files.write(folder, package.texts, force, entry)
@@ -246,7 +245,8 @@ def check_charts(
     wanted = {chart.name: chart for chart in _with_bases(charts, chosen)}
     further = [chart for chart in catalogue.charts_in(folder, chosen) if chart.name not in wanted]
     reason = f"is above the cap {cap}, so not compared; raise it with --max-n"
-    unmade = {module_name(c, chosen): f"order {c.order} {reason}" for c in further if c.order > cap}
+    above = ((c, table) for c in further if c.order > cap for table in chosen.tables)
+    unmade = {chosen.file(c.name, table): f"order {c.order} {reason}" for c, table in above}
     made = [*wanted.values(), *(chart for chart in further if chart.order <= cap)]
     return list(files.compare(folder, print_package(made, chosen, progress).texts, unmade))
 

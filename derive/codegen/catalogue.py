@@ -18,7 +18,7 @@ from ..maps.chart import Chart
 from ..maps.elementary import alpha
 from ..maps.sine import Sine
 from ..output import files, generated
-from .package import command, module_name
+from .package import command
 from .signatures import ROTATIONS
 from .targets import TARGETS, Target
 
@@ -74,10 +74,10 @@ def chart_of(line: str) -> Chart | None:
 
 def charts_in(folder: Path, target: Target) -> Iterator[Chart]:
     """Yield the charts whose modules in a folder begin with the command that generates them."""
-    for path in sorted(folder.glob(f"*.{target.extension}")):
+    for path in sorted(folder.glob(target.file("*"))):
         line = files.header_command(path) or ""
         chart = chart_of(line)
-        if chart and module_name(chart, target) == path.name and command(target.name, chart) == line:
+        if chart and folder / target.file(chart.name) == path and command(target.name, chart) == line:
             yield chart
 
 
@@ -107,11 +107,13 @@ def reserved_names() -> frozenset[str]:
 
 
 def _reserved(target: Target) -> Iterator[str]:
+    yield from target.words
+    homes = {PurePath(target.file("chart", table)).parent for table in target.tables}  # folders of charts
     for file, make in target.shared().items():
         path = PurePath(file)
-        yield from path.parts[:-1]
-        if path.suffix == f".{target.extension}":
-            yield path.stem
+        yield from (part.lstrip("+") for part in path.parts[:-1])
+        if path.parent in homes and path.suffix in (f".{target.extension}", ".ts"):
+            yield path.name.partition(".")[0]
         if path.name == "__init__.py":
             yield from _globals(symtable.symtable(generated(f"{target.name}/{file}", "", **make()), file, "exec"))
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import hashlib
 import itertools
 import textwrap
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cache
 from pathlib import Path
@@ -21,7 +21,7 @@ from ..maps.chart import Chart
 from ..output import generated, render, source
 from ..proof import Proved, theorems
 from .programs.program import Call, Program
-from .rows import Table
+from .rows import Table, inside
 from .signatures import POSES, ROTATIONS, ChartPrograms, Lowered, geometry
 
 PRINTED_DIGITS = 60  # decimal digits of printed constants: enough for C++ classes of 50 digits
@@ -231,6 +231,11 @@ class Target(Protocol):
     comment: str  # prefix of comment lines
     tables: Sequence[Table] = (POSES, ROTATIONS)  # each has a module for every chart
     imports_bases: bool = False  # True if the module of a multiple imports that of its base chart
+    words: Collection[str] = ()  # words of the language, which name no module
+
+    def file(self, chart: str, table: Table = POSES) -> str:
+        """Return the module of the chart of a name, or with * the pattern of all modules."""
+        return inside(table, f"{chart}.{self.extension}")
 
     def shared(self) -> Mapping[str, Callable[[], Data]]:
         """Return functions that make the data of the files in every package; a file has the template of its name."""
@@ -265,15 +270,11 @@ def shared_texts(target: Target) -> dict[str, str]:
     texts = {}
     for name, make in target.shared().items():
         file = f"{target.name}/{name}"
-        version = [f"Version {about.__version__}."] if name == target.entry else []  # a release changes no other file
+        version = [f"Version {about.__version__}."] if name == target.entry else []  # no other header tells it
         lines = [*head(command(target.name), source(file)), *version]
         texts[name] = generated(file, _header(lines, _mark(name, target)), **make())
     target.require_complete(texts)
     return texts
-
-
-def module_name(chart: Chart, target: Target) -> str:
-    return f"{chart.name}.{target.extension}"
 
 
 def module_texts(facts: Facts, target: Target, tested: bool = True) -> dict[str, str]:
@@ -281,7 +282,7 @@ def module_texts(facts: Facts, target: Target, tested: bool = True) -> dict[str,
     made_by = command(target.name, facts.chart)
     template = f"{target.name}/chart.{target.extension}.j2"
     header = _header(facts.header(made_by, template), target.comment)
-    texts = {module_name(facts.chart, target): render(template, header=header, **target.module(facts))}
+    texts = {target.file(facts.chart.name): render(template, header=header, **target.module(facts))}
     further = {**target.companions(facts), **(target.tests(facts) if tested else {})}
     for name, (companion, data) in further.items():
         file = f"{target.name}/{companion}"

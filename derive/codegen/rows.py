@@ -149,6 +149,11 @@ class Table:
         sources = {row.source: row for row in functions.values()}
         return cls(name, functions, kernels, public, sources, {row.name: row for row in composed})
 
+    @property
+    def all_public(self) -> dict[str, Function]:
+        """Functions that users call, with those that Python composes."""
+        return {**self.public, **self.composed}
+
     def require_complete(self, where: str, found: Iterable[str], further: Collection[str] = ()) -> None:
         """Raise ValueError unless the functions found are the public ones; the message names the differences."""
         names, wanted = set(found), {*self.public, *further}

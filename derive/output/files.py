@@ -83,8 +83,13 @@ def finish(folder: Path) -> None:
     shutil.rmtree(ready)
 
 
-MARK = re.compile(r'(?:\S{1,2} |\{"made by": ")(python -m derive generate\b.*?)(?:",)?$', re.MULTILINE)
-"""First line of every generated file: a comment with the command that makes it, or the first member of JSON."""
+HELP = r"(?:(?:function .*\n)?(?:%.*\n)+\n)?"
+MARK = re.compile(HELP + r'(?:\S{1,2} |\{"made by": ")(python -m derive generate\b.*?)(?:",)?$', re.MULTILINE)
+"""First line of every generated file: a comment with the command that makes it, or the first member of JSON.
+
+In files of MATLAB the help text, which must come first, stands before it.
+"""
+HEAD_LETTERS = 20_000  # length of the text in which the command is looked for
 
 
 class RefusedError(Exception):
@@ -102,12 +107,12 @@ class Difference:
 
 
 def header_command(path: Path) -> str | None:
-    """Return the command in the first line of a generated file; None for any other file."""
+    """Return the command that a generated file bears; None for any other file."""
     try:
         if not path.is_file():  # opening a pipe would wait for its writer
             return None
         with path.open(encoding="utf-8") as file:
-            return _command(file.readline(10_000))
+            return _command(file.read(HEAD_LETTERS))
     except (OSError, UnicodeDecodeError):
         return None
 
@@ -258,7 +263,7 @@ def compare(folder: Path, texts: Mapping[str, str], unmade: Mapping[str, str] | 
             lines = difflib.unified_diff(old, new, f"{path} (on disk)", f"{path} (generated)")
             yield Difference(path, "stale", "".join(lines))
     files = {folder / name for name in texts}
-    folders = {path.parent for path in files} | {folder}
+    folders = _folders(folder, texts) | {folder}
     reasons = {folder / name: reason for name, reason in (unmade or {}).items()}
     for parent in sorted(folders):
         if parent.is_dir():
@@ -272,4 +277,5 @@ def _extra(folder: Path, known: set[Path], reasons: Mapping[Path, str]) -> Itera
         elif path not in known and not (path.name == "__pycache__" and path.is_dir()):
             command = header_command(path)
             claim = f"not made by what its first line says: {command}" if command else ""
-            yield Difference(path, "foreign", reason=reasons.get(path, claim))
+            reason = next((why for place, why in reasons.items() if place.is_relative_to(path)), claim)
+            yield Difference(path, "foreign", reason=reason)

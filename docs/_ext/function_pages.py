@@ -62,7 +62,7 @@ def targets(name: str) -> list[str]:
         if isinstance(target, PythonTarget):
             has = name in (*POSES.public, *target.plain)
         else:
-            has = name in {**POSES.public, **(POSES.composed if target.name == "c" else {})}
+            has = name in {**POSES.public, **({} if target.name == "native" else POSES.composed)}
         found += [target.name] * has
     return [*found, *["Dask"] * (name in dualcay.dask.SIGNATURES["PoseKernels"])]
 

@@ -19,7 +19,7 @@ from derive.output.shown import no_op
 LIBRARY = Path(__file__).parents[2] / "derive" / "papers" / "field"
 OPEN = (Status.UNDECIDED, Status.UNREFUTED)
 TRUE, WRONG = (Status.HOLDS, Status.HOLDS_IF), (Status.FALSE, Status.ERRATUM)
-COLLECTIONS = ("code-alone", "reports")
+COLLECTIONS = ("code-alone", "preintegration", "reports")
 """Files that are no document: formulas of code, and formulas that readers reported."""
 
 SCHEMA = 1

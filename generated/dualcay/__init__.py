@@ -17,20 +17,25 @@ import re
 import sys
 from typing import TYPE_CHECKING, Any
 
+from ._covariances import between_covariance, compose_covariance, inverse_covariance, transform_point_covariance
+from ._means import mean
 from ._motion import Motion, MotionError
 from ._propagate import propagate
+from ._spline import PoseSpline, SplineJacobians
 from ._switching import switch_event, unwrap
 from ._tools import convert, convert_jacobian, matrix6
 
 __all__ = [
-    "Motion", "MotionError", "backend", "convert", "convert_jacobian", "matrix6", "propagate", "switch_event", "unwrap",
+    "Motion", "MotionError", "PoseSpline", "SplineJacobians", "backend", "between_covariance", "compose_covariance",
+    "convert", "convert_jacobian", "inverse_covariance", "matrix6", "mean", "propagate", "switch_event",
+    "transform_point_covariance", "unwrap",
 ]  # fmt: skip
 
 __version__ = "0.1.0"
 
 
-PARTS = ("rotation", "dask", "interop")
-"""Public parts that are no chart: the package of rotations alone, and tools that import further libraries."""
+PARTS = ("rotation", "dask", "extended", "interop")
+"""Public parts that are no chart: rotations alone, poses with velocity, and tools that import further libraries."""
 
 
 def _modules() -> list[str]:

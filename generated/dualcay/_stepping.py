@@ -5,7 +5,6 @@
 
 from __future__ import annotations
 
-import importlib
 import math
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
@@ -19,7 +18,7 @@ from ._derived import LOCAL, normalized, product
 from ._geometry import KERNELS
 from ._interface import BODY_INV, SPACE_INV
 from ._kernel import Array
-from ._motion import MotionError
+from ._motion import MotionError, OfModule
 from ._numbers import FLOAT, Floats
 from ._runtime import constants
 from ._switching import switch_angle
@@ -39,8 +38,8 @@ TABLES = {"space": constants(SPACE_INV, FLOAT), "body": constants(BODY_INV, FLOA
 
 
 @dataclass(frozen=True)
-class Problem:
-    """Arguments of `propagate` that a step needs. Pickle saves the name of the module."""
+class Problem(OfModule):
+    """Arguments of `propagate` that a step needs."""
 
     module: Any
     twist: Twist
@@ -49,13 +48,6 @@ class Problem:
     rtol: float
     atol: float
     max_step: float
-
-    def __getstate__(self) -> dict[str, Any]:
-        return {**vars(self), "module": getattr(self.module, "__name__", self.module)}
-
-    def __setstate__(self, state: dict[str, Any]) -> None:
-        module = state["module"]
-        vars(self).update(state, module=importlib.import_module(module) if isinstance(module, str) else module)
 
 
 @dataclass(frozen=True)

@@ -14,6 +14,7 @@ from typing import Any, Protocol
 import numpy as np
 from numpy.typing import ArrayLike
 
+from ._arguments import finite
 from ._kernel import Array
 from ._motion import MotionError
 
@@ -118,18 +119,3 @@ def twist_of(twist: Any, t: Array, knots: ArrayLike | None) -> Twist:
     if shape != (len(t), 6):
         raise ValueError(f"twist must have shape ({len(t)}, 6), got {shape}; a constant one has (6,)")
     return Sampled(CubicSpline(t, finite("twist", twist, shape)), t)
-
-
-def finite(name: str, value: ArrayLike, shape: tuple[int, ...]) -> Array:
-    """Return an argument as an array of floats, after a check of its shape and values."""
-    try:
-        array = np.asarray(value)
-    except ValueError as error:
-        raise ValueError(f"{name} must have shape {shape}, got rows of several shapes") from error
-    if array.dtype.kind not in "biuf":
-        raise TypeError(f"{name} must hold real numbers, got dtype {array.dtype}")
-    if array.shape != shape:
-        raise ValueError(f"{name} must have shape {shape}, got {array.shape}")
-    if not np.isfinite(array).all():
-        raise ValueError(f"{name} must be finite, got {array[~np.isfinite(array)][0]} in it")
-    return array.astype(float)

@@ -37,7 +37,7 @@ def of_library(page: str, names: dict[str, Any]) -> dict[str, Any]:
     M, M2, Q, Q2 = (names[name] for name in ("M", "M2", "Q", "Q2"))
     if page == "scipy":
         pose, turn = module.RigidTransform.from_matrix, module.Rotation.from_matrix
-        classes = {name: getattr(module, name) for name in ("RigidTransform", "Rotation", "Slerp")}
+        classes = {name: getattr(module, name) for name in ("RigidTransform", "Rotation", "RotationSpline", "Slerp")}
         return {**classes, "T": pose(M), "T2": pose(M2), "R": turn(Q), "R2": turn(Q2)}
     if page == "basilisk":
         return {"bsk": module}

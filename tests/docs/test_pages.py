@@ -7,8 +7,11 @@ import re
 import shlex
 import subprocess
 import sys
+import threading
 from collections import Counter
 from collections.abc import Callable, Iterator
+from functools import partial
+from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 
 import click
@@ -27,7 +30,7 @@ from derive.proof import theorems
 from docs._ext import chart_examples, dark, function_pages, links, printed, publication, reference, reference_figures
 from dualcay import cayley2
 from dualcay.rotation import cayley2 as rotation
-from tests.support import compilers, examples, packages, pages
+from tests.support import browsers, compilers, examples, node, packages, pages
 from tests.support.libraries import jax
 from tests.support.pages import ROOT
 
@@ -83,6 +86,37 @@ def test_programs_print_what_the_page_shows(
     compiler = [compilers.find()] if language == "c" else shlex.split(os.environ.get("CXX", "c++"))
     subprocess.run([*compiler, "-I", tmp_path, source, "-o", tmp_path / "program", "-lm"], check=True)
     assert subprocess.run(tmp_path / "program", capture_output=True, text=True, check=True).stdout == output
+
+
+JAVASCRIPT = TEXTS["docs/howto/javascript.md"]
+
+
+@pytest.fixture
+def javascript(tmp_path: Path) -> Path:
+    """Provide a folder with the modules of the JavaScript page, and its program and page."""
+    packages.write([2], "js", tmp_path / "dualcay")
+    for name, language in (("program.mjs", "js"), ("page.html", "html")):
+        (tmp_path / name).write_text(pages.blocks(JAVASCRIPT, language)[0], encoding="utf-8")
+    return tmp_path
+
+
+@pytest.mark.node
+def test_javascript_program_prints_what_the_page_shows(javascript: Path) -> None:
+    done = subprocess.run([str(node.find()), "program.mjs"], cwd=javascript, capture_output=True, text=True, check=True)
+    assert done.stdout == pages.blocks(JAVASCRIPT, "text")[0]
+
+
+@pytest.mark.browser
+@pytest.mark.thorough
+def test_javascript_page_shows_what_it_says(javascript: Path) -> None:
+    with ThreadingHTTPServer(("127.0.0.1", 0), partial(SimpleHTTPRequestHandler, directory=str(javascript))) as server:
+        threading.Thread(target=server.serve_forever, daemon=True).start()
+        flags = ("--headless", "--no-sandbox", "--disable-gpu", "--dump-dom")
+        url = f"http://127.0.0.1:{server.server_port}/page.html"
+        command = [str(browsers.find()), *flags, f"--user-data-dir={javascript / 'profile'}", url]
+        shown = subprocess.run(command, capture_output=True, text=True, check=True).stdout
+        server.shutdown()
+    assert f'<p id="angle">{pages.blocks(JAVASCRIPT, "text")[1].strip()}</p>' in shown
 
 
 @pytest.mark.smoke
@@ -153,6 +187,7 @@ def test_lists_tell_what_each_function_takes_gives_and_where_it_is() -> None:
     assert all(all(function_pages.takes_and_gives(name)) for name in POSES.public)
     assert function_pages.takes_and_gives("to_screw") == ("v (6)", "angle (2), line (6)")
     assert function_pages.targets("rate") == [*TARGETS, "Dask"]
+    assert function_pages.targets("switch") == [name for name in TARGETS if name != "native"]
     assert function_pages.targets("random") == ["numpy", "numba"]
     assert {"twist_jacobian", "body_rate_dot", "compose_jacobians"} <= function_pages.formulas().keys()
 

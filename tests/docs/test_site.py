@@ -197,6 +197,7 @@ FIRST = {
     "coming_from/gtsam.html": ("GTSAM dualcay", "gtsam.Pose3.Expmap(v).matrix()", "exponential.pose(v)"),
     "accuracy.html": ("digits that are right", "pose of v, below half a turn"),
     "assurance.html": ("target proved executed",),
+    "explanation/live.html": ("Move the sliders", "rotation angle (°) 90"),
 }
 """Words on the first screen of a page, on a wide screen and on a phone."""
 SECOND = {
@@ -210,6 +211,7 @@ SECOND = {
 LINKED = ("errata.html#condurache-popa-2023-112", "field.html#kindr-411", "theorems.html#rates-of-v")
 WITHOUT_FORMULAS = {
     IN_CHART, "index.html", "benchmarks.html", "accuracy.html", "assurance.html", "coming_from/gtsam.html",
+    "explanation/live.html",
 }  # fmt: skip
 
 

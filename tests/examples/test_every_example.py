@@ -15,6 +15,7 @@ from tests.support.libraries import Late
 
 OPTIONS = {
     "arm": "--poses 8", "attitude_filter": "--runs 40 --steps 240", "heavy_top": "--end 0.04",
+    "camera_path": "--rate 20", "pose_cloud": "--runs 400 --steps 30", "preintegration": "--rate 40 --frames 2",
     "rendezvous": "--runs 400", "rotation_vectors": "--rate 5", "stream": "--count 20000 --chunk 5000",
     "inverse_kinematics_jax": "--targets 2 --starts 12",
 }  # fmt: skip

@@ -27,7 +27,7 @@ def test_the_version_matches_the_toolkit() -> None:
 def test_the_package_lists_its_modules_and_functions() -> None:
     assert set(MODULES) <= set(dir(dualcay))
     public = {name for name in dir(dualcay) if not name.startswith("_")}
-    assert public == {*MODULES, *dualcay.__all__, "dask", "interop", "rotation"}
+    assert public == {*MODULES, *dualcay.__all__, "dask", "extended", "interop", "rotation"}
     assert all(hasattr(dualcay, name) for name in dir(dualcay))
 
 
@@ -108,7 +108,7 @@ def test_names_and_arguments_are_known_to_type_checkers(tmp_path: Path, monkeypa
 
 
 ROOT = Path(__file__).resolve().parents[2]
-SCIPY = ("_stepping.py", "_trajectory.py", "_twist.py", "interop.py")
+SCIPY = ("_solving.py", "_stepping.py", "_trajectory.py", "_twist.py", "interop.py")
 OPTIONAL = {"dask.py": {"dask"}} | {name: {"scipy"} for name in SCIPY}
 """Libraries that modules of tools import, by file."""
 

@@ -230,10 +230,14 @@ def test_progress_rises_to_one(capsys: pytest.CaptureFixture[str]) -> None:
     assert capsys.readouterr().err.endswith("100%\n")
 
 
-def test_scipy_is_imported_by_propagate_alone_and_missed_by_name() -> None:
+def test_scipy_is_imported_by_motions_alone_and_missed_by_name() -> None:
     code = (
         "import sys, dualcay, dualcay.cayley2 as c\nassert 'scipy' not in sys.modules\nsys.modules['scipy'] = None\n"
-        "try: dualcay.propagate(c, [0.0] * 6, lambda t: [0.0] * 6, [0, 1])\nexcept ImportError as error: print(error)"
+        "still = [[0.0] * 6] * 4\ndualcay.PoseSpline(c, [0, 1], still, kind='bspline').acceleration(0.5)\n"
+        "for call in (lambda: dualcay.propagate(c, still[0], lambda t: still[0], [0, 1]),\n"
+        "             lambda: dualcay.PoseSpline(c, range(4), still)):\n"
+        "    try: call()\n    except ImportError as error: print(error)"
     )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
-    assert done.stdout.strip() == 'dualcay.propagate needs SciPy: pip install "scipy>=1.16"'
+    said = 'dualcay.{} needs SciPy: pip install "scipy>=1.16"'.format
+    assert done.stdout.splitlines() == [said("propagate"), said("PoseSpline")]

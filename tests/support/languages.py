@@ -60,7 +60,7 @@ class Case:
 
 
 def functions(table: Table) -> dict[str, Function]:
-    return {**table.public, **table.composed}
+    return table.all_public
 
 
 def chart(name: str) -> Chart:

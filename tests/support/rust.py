@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import shutil
 import subprocess
 from collections.abc import Sequence
 from pathlib import Path
@@ -13,7 +12,6 @@ import numpy as np
 
 from tests.support.languages import Case, parted
 
-MISSING = "cargo is not found (install Rust)"
 MANIFEST = """[package]
 name = "rows"
 version = "0.1.0"
@@ -45,10 +43,6 @@ fn main() {{
 """
 
 
-def find() -> str | None:
-    return shutil.which("cargo")
-
-
 def run(folder: Path, cases: Sequence[Case], place: Path, dtype: Any = np.float64) -> list[list[np.ndarray]]:
     """Return the results of a crate in a folder for each case; the program is built in another one."""
     real = "f64" if dtype == np.float64 else "f32"
@@ -78,29 +72,33 @@ def write(place: Path, folder: Path, program: str) -> None:
 def cargo(place: Path, *arguments: str) -> str:
     """Run cargo in a folder; return what it says."""
     environment = {**os.environ, "CARGO_TARGET_DIR": str(place / "target")}
-    done = subprocess.run([str(find()), *arguments], cwd=place, env=environment, capture_output=True, text=True)
+    done = subprocess.run(["cargo", *arguments], cwd=place, env=environment, capture_output=True, text=True)
     assert done.returncode == 0, done.stderr
     return done.stdout + done.stderr
 
 
 def _function(index: int, case: Case, real: str) -> str:
+    """Return a function that calls the form for rows, with a row at a time; this form calls that for a value."""
     row = case.row
     given, made = (sum(array.size for array in arrays) for arrays in (row.arguments, row.results))
     passed, at = [], 0
     for array in row.arguments:
-        passed.append(f"a[{at}]" if array.size == 1 else f"a[{at}..{at + array.size}].try_into().unwrap()")
+        part = f"a[{at}]" if array.size == 1 else f"a[{at}..{at + array.size}].try_into().unwrap()"
+        passed.append(f"&[{part}]")
         at += array.size
     branch = [str(case.branch)] * row.branch
     module = "::".join(filter(None, ("dualcay", case.table, case.chart)))
-    stored, at = [], 0
+    rooms, stored, at = [], [], 0
     for place, array in enumerate(row.results):
-        part = "found" if len(row.results) == 1 else f"found.{place}"
-        at_end = f"r[{at}..{at + array.size}].copy_from_slice(&{part});"
-        stored.append(f"r[{at}] = {part};" if array.size == 1 else at_end)
+        rooms.append(f"let mut m{place} = [{'0.0' if array.size == 1 else f'[0.0; {array.size}]'}];")
+        one = f"m{place}" if array.size == 1 else f"m{place}[0]"
+        stored.append(f"r[{at}..{at + array.size}].copy_from_slice(&{one});")
         at += array.size
+    called = ", ".join([*passed, *branch, *(f"&mut m{place}" for place in range(len(rooms)))])
     return (
         f"fn call{index}(given: &[{real}], made: &mut [{real}]) {{\n"
         f"    for (a, r) in given.chunks_exact({given}).zip(made.chunks_exact_mut({made})) {{\n"
-        f"        let found = {module}::{row.name}({', '.join([*passed, *branch])});\n"
+        f"        {' '.join(rooms)}\n"
+        f"        {module}::{row.name}_rows({called});\n"
         f"        {' '.join(stored)}\n    }}\n}}"
     )

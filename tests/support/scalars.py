@@ -28,7 +28,7 @@ def includes(charts: Iterable[Chart]) -> str:
 
 def functions(table: Table) -> dict[str, Function]:
     """Return the functions of a table in C, by name."""
-    return {**table.public, **table.composed}
+    return table.all_public
 
 
 def cases(called: Sequence[Called]) -> str:

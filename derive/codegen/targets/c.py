@@ -73,6 +73,13 @@ def programs(table: Table) -> Mapping[str, Program]:
     return {**printed_geometry(table), **{name: row.traced() for name, row in table.composed.items()}}
 
 
+def copy_of(table: Table) -> Program:
+    """Return the program that returns v itself."""
+    (v,) = table.sources["shadow"].arguments
+    names = tuple(f"{v.name}{place}" for place in range(1, v.size + 1))
+    return Program("copy", ((v.name, names),), (), names)
+
+
 def level(program: Program) -> int:
     """Return a program's level of ``math.h``, its scalar programs left out."""
     own = (LEVELS.get(op, 0) for op in program.operations)
@@ -99,12 +106,10 @@ def scalars(chart: ChartPrograms) -> Mapping[str, Program]:
 def shared_geometry(table: Table) -> Data:
     """Return the data for the template of a table's geometry."""
     (v,) = table.sources["shadow"].arguments
-    names = tuple(f"{v.name}{place}" for place in range(1, v.size + 1))
-    copy = Program("copy", ((v.name, names),), (), names)
     return {
-        "copy": c99.core(copy, [v.called("to")], {}),
+        "copy": c99.core(copy_of(table), [v.called("to")], {}),
         "cores": [c99.core(program, _made(program, table), {}) for program in programs(table).values()],
-        "functions": {name: interface(row, table) for name, row in {**table.public, **table.composed}.items()},
+        "functions": {name: interface(row, table) for name, row in table.all_public.items()},
         "sections": sections(table),
     }
 

@@ -12,9 +12,10 @@ from dataclasses import dataclass
 
 from ..lowering.scalar_programs import SCALARS
 from ..programs.program import FUNCTIONS, Assignment, Call, Program
+from ..programs.renaming import lower_case
 from ..rows import Array
 from ..signatures import TABLE
-from .expression import ARITHMETIC, WIDTH, Dialect, Lists, Operator, Texts, fill, items, lower_case
+from .expression import ARITHMETIC, WIDTH, Dialect, Lists, Operator, Texts, fill, items
 
 REAL = "dualcay_real"
 _INDENT = "    "

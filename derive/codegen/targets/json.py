@@ -21,10 +21,10 @@ from ..lowering.scalar_programs import SCALARS, Scalar, table_names
 from ..package import Data, Facts, Target, returns
 from ..programs.program import BESIDE, Assignment, Operand, Program
 from ..rows import Array, Function, Table, inside
-from ..signatures import RETURNED, ROTATIONS, STAYED, TABLE, ChartPrograms, printed_geometry, way
+from ..signatures import RETURNED, ROTATIONS, STAYED, TABLE, ChartPrograms, way
 from ..validation import listings
 from ..validation.calls import require_calls
-from .c import scalars
+from .c import copy_of, programs, scalars
 from .python import formulas_of
 
 SCHEMA = "program.schema.json"
@@ -108,13 +108,9 @@ def _programs(chart: Chart, lowered: ChartPrograms, numbers: Mapping[str, Any]) 
     for name, program in scalars(lowered).items():
         known = {"formula": "; ".join(formulas_of(name, chart))} if name in lowered.scalars else {}
         yield f"{OWN}{name}", {**known, **_program(program, numbers, _truths(SCALARS[name]))}
-    for name, program in printed_geometry(table).items():
+    for name, program in programs(table).items():
         yield name, _program(program, {})
-    for name, row in table.composed.items():
-        yield name, _program(row.traced(), {})
-    v = table.sources["shadow"].arguments[0]
-    names = [f"{v.name}{place}" for place in range(1, v.size + 1)]
-    yield "copy", {"given": names, "steps": [], "results": names, "truths": []}
+    yield "copy", _program(copy_of(table), {})
 
 
 def _truths(row: Scalar) -> list[int]:
@@ -149,7 +145,7 @@ def _operand(operand: Operand) -> str | int:
 
 
 def _function(name: str, lines: tuple[str, ...], facts: Facts, table: Table) -> dict[str, Any]:
-    row = {**table.public, **table.composed}[name]
+    row = table.all_public[name]
     stated = {"domain": facts.domain.get(name, ""), "singular set": facts.singular.get(name, "")}
     return {
         "about": " ".join(lines),

@@ -23,11 +23,12 @@ class Numpy(PythonTarget):
     name = "numpy"
     options = "axis: int = -1, out: Array | None = None"
     files = (
-        *PythonTarget.files, "_kernel.py", "_motion.py", "_multiple.py", "_native.py", "_numbers.py",
-        "_other_vectors.py", "_prepared.py", "_program.py", "_propagate.py", "_recorder.py", "_sequences.py",
-        "_stepping.py", "_switching.py", "_trajectory.py", "_twist.py", "interop.py",
+        *PythonTarget.files, "_arguments.py", "_covariances.py", "_curve.py", "_kernel.py", "_means.py", "_motion.py",
+        "_multiple.py", "_native.py", "_numbers.py", "_other_vectors.py", "_prepared.py", "_program.py",
+        "_propagate.py", "_recorder.py", "_sequences.py", "_solving.py", "_spline.py", "_stepping.py", "_switching.py",
+        "_trajectory.py", "_twist.py", "extended.py", "interop.py",
     )  # fmt: skip
-    tools = ("dask", "interop")
+    tools = ("dask", "extended", "interop")
     imports_bases = True
 
     def shared(self) -> dict[str, Callable[[], Data]]:

@@ -13,10 +13,10 @@ from ..package import Data, Facts
 from ..rows import Table, inside
 from ..signatures import POSES, ROTATIONS, TABLE
 from ..validation.straight_text import Grammar
+from .c import copy_of, programs
 from .expression import INDENT, OPERATORS, WIDTH, Dialect, Text
 from .json import OWN, numbers_of
 from .straight import (
-    PI,
     Printed,
     Public,
     Step,
@@ -25,13 +25,18 @@ from .straight import (
     called,
     double,
     own,
-    programs,
     public,
     single,
 )
 
-RESERVED = frozenset(("as", "box", "do", "else", "end", "final", "fn", "for", "if", "in", "let", "match", "mod", "move",
-                      "ref", "self", "step", "try", "type", "use", "where", "while", "yield"))  # fmt: skip
+PI = "3.14159265358979323846264338327950288419716939937510582097494"
+WORDS = frozenset((
+    "Self", "abstract", "as", "async", "await", "become", "box", "break", "const", "continue", "crate", "do", "dyn",
+    "else", "enum", "extern", "false", "final", "fn", "for", "gen", "if", "impl", "in", "let", "loop", "macro", "match",
+    "mod", "move", "mut", "override", "priv", "pub", "ref", "return", "self", "static", "std", "struct", "super",
+    "trait", "true", "try", "type", "typeof", "unsafe", "unsized", "use", "virtual", "where", "while", "yield",
+))  # fmt: skip
+"""Words of the language, and the name of its library: neither variables nor modules have them."""
 FUNCTIONS = {"abs": "abs", "sqrt": "sqrt", "tan": "tan", "atan2": "atan2", "expm1": "exp_m1", "log1p": "ln_1p"}
 """Methods of the real type."""
 
@@ -183,7 +188,8 @@ class Rust(Straight):
     entry = "lib.rs"
     comment = "//"
     dialect = DIALECT
-    reserved = RESERVED
+    words = WORDS
+    reserved = WORDS
     grammar = GRAMMAR
 
     def texts(self, chart: Chart, table: Table) -> Sequence[str]:
@@ -197,14 +203,14 @@ class Rust(Straight):
 
     def geometry(self, table: Table) -> Data:
         (v,) = table.sources["shadow"].arguments
-        return {"programs": [shared_function(self.printed(program)) for program in programs(table).values()],
+        found = *programs(table).values(), copy_of(table)
+        return {"programs": [shared_function(self.printed(program)) for program in found],
                 "functions": [(f, public_function(f)) for f in public(table)], "size": v.size}  # fmt: skip
 
     def module(self, facts: Facts) -> Data:
         chart, numbers = facts.chart, numbers_of(facts.chart)
         return {
             "name": chart.name,
-            "type": chart.name.title().replace("_", ""),
             "order": chart.order,
             "branches": chart.branches,
             "ends": chart.ends,
@@ -217,6 +223,6 @@ class Rust(Straight):
         }
 
     def companions(self, facts: Facts) -> dict[str, tuple[str, Data]]:
-        chart = facts.chart
-        data = {"name": chart.name, "type": chart.name.title().replace("_", ""), "aliases": ROTATIONS.aliases(chart)}
-        return {inside(ROTATIONS, f"{chart.name}.rs"): (inside(ROTATIONS, "chart.rs"), data)}
+        name = facts.chart.name
+        data = {"name": name, "aliases": ROTATIONS.aliases(facts.chart)}
+        return {inside(ROTATIONS, f"{name}.rs"): (inside(ROTATIONS, "chart.rs"), data)}

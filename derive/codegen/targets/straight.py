@@ -19,16 +19,15 @@ from ..descriptions import about, sections
 from ..lowering.scalar_programs import SCALARS
 from ..package import Facts, Target, turns
 from ..programs.program import Assignment, Program
+from ..programs.renaming import lower_case
 from ..rows import Array, Function, Table
-from ..signatures import Way, printed_geometry, way
+from ..signatures import Way, way
 from ..validation import listings, straight_text
 from ..validation.calls import require_calls
 from ..validation.straight_text import Grammar
-from .c import NAMES
-from .expression import WIDTH, Dialect, Text, fill, lower_case, wrapped
+from .c import NAMES, programs
+from .expression import WIDTH, Dialect, Text, fill, wrapped
 from .json import constants, decimal, numbers_of, wiring
-
-PI = "3.14159265358979323846264338327950288419716939937510582097494"
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,7 +39,6 @@ class Step:
     called: str = ""
     groups: tuple[tuple[str, ...] | str, ...] = ()  # arguments of a call: numbers, and numbers of a list
     of_chart: bool = False  # True if each chart has a program of this name
-    truths: frozenset[str] = frozenset()
 
     @property
     def arguments(self) -> list[str]:
@@ -100,21 +98,8 @@ def _steps(program: Program, dialect: Dialect) -> tuple[list[Step], list[str]]:
             continue
         groups = (tuple(map(text, group)) if isinstance(group, tuple) else text(group) for group in statement.groups)
         shared = bool(statement.result)
-        found.append(Step(statement.names, "", statement.function, tuple(groups), not shared, statement.truths))
+        found.append(Step(statement.names, "", statement.function, tuple(groups), not shared))
     return found, list(map(text, program.outputs))
-
-
-def copy_of(table: Table) -> Program:
-    """Return the program that returns v itself."""
-    (v,) = table.sources["shadow"].arguments
-    names = tuple(f"{v.name}{place}" for place in range(1, v.size + 1))
-    return Program("copy", ((v.name, names),), (), names)
-
-
-def programs(table: Table) -> Mapping[str, Program]:
-    """Return the programs that all charts share, each after the programs that it calls."""
-    composed = {name: row.traced() for name, row in table.composed.items()}
-    return {**printed_geometry(table), **composed, "copy": copy_of(table)}
 
 
 @dataclass(frozen=True, slots=True)
@@ -133,7 +118,7 @@ class Public:
 
 def public(table: Table) -> list[Public]:
     """Return the public functions of a table in the order of print."""
-    rows = {**table.public, **table.composed}
+    rows = table.all_public
     found = ((name, lines) for section in sections(table) for name, lines in section.functions.items())
     return [Public(_small(rows[name]), lines, way(rows[name], table), constants(rows[name], table), table)
             for name, lines in found]  # fmt: skip
@@ -212,10 +197,10 @@ class Straight(Target):
             numbers = numbers_of(chart)
             near = {name: float(double(text)) for name, text in numbers.items()}
             text = "\n".join((folder / name).read_text("utf-8") for name in self.texts(chart, table))
-            rows = {**table.public, **table.composed}
+            rows = table.all_public.items()
             return {
                 "programs": straight_text.read(text, self.grammar, near),
-                "functions": {name: {"branch": row.branch, **wiring(row, table, chart)} for name, row in rows.items()},
+                "functions": {name: {"branch": row.branch, **wiring(row, table, chart)} for name, row in rows},
                 "branches": chart.branches,
                 "turns": [list(map(decimal, pair)) for pair in turns(chart)],
                 "numbers": {name: decimal(text) for name, text in numbers.items()},

@@ -90,19 +90,22 @@ def validate(files: Mapping[Table, str], read: Callable[[str, Table], Any], char
     count = 0
     with mpmath.workdps(EXACT_DIGITS):
         for table, file in files.items():
-            listing = Listing(read(file, table), _exact, OF_DECIMALS)
+            listing = Listing(_done(partial(read, file, table), file), _exact, OF_DECIMALS)
             for batch in (*chosen(chart, table, geometry), *composed(chart, table)):
                 for case in batch.cases:
                     call = partial(listing.call, batch.function, case.arguments, *batch.branch)
-                    compare(f"{file}: {batch.function}", _called(call, file), case.result, batch.agree)
+                    compare(f"{file}: {batch.function}", _done(call, file), case.result, batch.agree)
                     count += 1
     return count
 
 
-def _called(call: Callable[[], list[Any]], file: str) -> list[Any]:
+def _done(call: Callable[[], Any], file: str) -> Any:
+    """Return what a function returns; its error becomes one that names the file."""
     try:
         return call()
-    except (ArithmeticError, AttributeError, KeyError, TypeError, ValueError) as error:
+    except ValidationFailed as error:
+        raise ValidationFailed(f"{file}: {error}") from error
+    except (ArithmeticError, AttributeError, LookupError, TypeError, ValueError) as error:
         raise ValidationFailed(f"{file}: {type(error).__name__}: {error}") from error
 
 

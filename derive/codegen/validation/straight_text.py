@@ -28,10 +28,10 @@ OPERATIONS = {
 class Grammar:
     """Statements of a language: patterns of a function's head and of statements, and names of functions.
 
-    ``head`` has the groups ``name`` and ``given``; ``end`` is the line that closes a function. The kinds of statements
-    and their groups: ``value`` and ``number`` (of the chart) with ``name`` and ``value``; ``call`` with ``called`` and
-    ``given``, and ``names`` unless ``read`` follows; ``unpacked`` with ``names`` and ``whole``; ``result`` with
-    ``value``.
+    ``head`` has the groups ``name`` and ``given``, and ``made`` if it numbers the results; ``end`` is the line that
+    closes a function. The kinds of statements and their groups: ``value`` and ``number`` (of the chart) with ``name``
+    and ``value``; ``call`` with ``called`` and ``given``, and ``names`` unless ``read`` follows; ``unpacked`` with
+    ``names`` and ``whole``; ``result`` with ``value``.
     """
 
     head: str
@@ -187,18 +187,26 @@ def _tokens(text: str) -> Iterator[str]:
 
 def read(text: str, grammar: Grammar, numbers: Mapping[str, float]) -> dict[str, dict[str, Any]]:
     """Return the programs in a text by name, each as a list of steps."""
-    found = {}
+    found: dict[str, dict[str, Any]] = {}
+    text = text.replace(grammar.continued or "\0", "")
     for head in re.finditer(grammar.head, text, re.MULTILINE):
         end = re.compile(grammar.end, re.MULTILINE).search(text, head.end())
         if end is None:
             raise ValidationFailed(f"{head['name']} has no end")
         body = Body(grammar, numbers)
-        lines = text[head.end() : end.start()].replace(grammar.continued or "\0", "")
-        for statement in map(str.strip, lines.split(";")):
+        for statement in map(str.strip, text[head.end() : end.start()].split(";")):
             if statement:
                 body.statement(" ".join(statement.split()))
+        made = re.findall(r"\d+", head.groupdict().get("made") or "")
+        if made not in ([], [str(grammar.first + place) for place in range(len(body.results))]):
+            raise ValidationFailed(f"the results of {head['name']} have places {', '.join(made)}")
         given = [name for argument in _parameters(head["given"]) for name in _components(argument, body, grammar)]
-        found[grammar.program(head["name"])] = {"given": given, "steps": body.steps, "results": body.results}
+        name, program = grammar.program(head["name"]), {"given": given, "steps": body.steps, "results": body.results}
+        if found.setdefault(name, program) != program:
+            raise ValidationFailed(f"two texts of {name} differ")
+    for names, called, *_ in (step for program in found.values() for step in program["steps"]):
+        if isinstance(names, list) and "read" in grammar.statements:  # the last results of a call may be unread
+            names += ["_"] * (len(found[called]["results"]) - len(names))
     return found
 
 

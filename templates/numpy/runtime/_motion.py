@@ -2,14 +2,27 @@
 
 from __future__ import annotations
 
+import importlib
 import math
 from dataclasses import dataclass, field
-from typing import Protocol
+from typing import Any, Protocol
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from ._kernel import Array
+
+
+class OfModule:
+    """Base of objects with a kernel module as ``module``, of which pickle and copy save the name."""
+
+    def __getstate__(self) -> dict[str, Any]:
+        module = vars(self)["module"]
+        return {**vars(self), "module": getattr(module, "__name__", module)}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        module = state["module"]
+        vars(self).update(state, module=importlib.import_module(module) if isinstance(module, str) else module)
 
 
 class Path(Protocol):

@@ -10,10 +10,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike
 
+from ._arguments import finite, increasing, require_one_of
 from ._branches import precision, require_symmetric
 from ._kernel import Array
 from ._motion import Motion, MotionError
-from ._twist import finite, twist_of
+from ._twist import twist_of
 
 if TYPE_CHECKING:
     from ._stepping import Step
@@ -100,12 +101,11 @@ def propagate(
         raise TypeError(f"module must be a kernel module of poses, as cayley2 is, got {module!r}")
     for name, value, allowed in (("frame", frame, ("space", "body")), ("method", method, tuple(FORMS)),
                                  ("integrator", integrator, INTEGRATORS)):  # fmt: skip
-        if value not in allowed:
-            raise ValueError(f"{name} must be one of {', '.join(map(repr, allowed))}, got {value!r}")
+        require_one_of(name, value, allowed)
     for name, number in (("rtol", rtol), ("atol", atol), ("max_step", max_step)):
         if not number > 0:
             raise ValueError(f"{name} must be positive, got {number!r}")
-    times, v = _times(t), finite("v0", v0, (6,))
+    times, v = increasing("t", t), finite("v0", v0, (6,))
     spread, density = (None if P is None else _covariance(name, P)
                        for name, P in (("covariance", covariance), ("noise", noise)))  # fmt: skip
     problem = Problem(module, twist_of(twist, times, knots), frame, integrator, rtol, atol, max_step)
@@ -142,18 +142,6 @@ def propagate(
 def _percents(part: float) -> None:
     """Write progress to stderr, and a line break at the end."""
     sys.stderr.write(f"\r{part:4.0%}" + "\n" * (part >= 1))
-
-
-def _times(t: ArrayLike) -> Array:
-    shape = np.shape(t)
-    if len(shape) != 1 or shape[0] < 2:
-        raise ValueError(f"t must have shape (T,) with at least two times, got {shape}")
-    times = finite("t", t, shape)
-    wrong = np.flatnonzero(np.diff(times) <= 0)
-    if wrong.size:
-        former, later = times[wrong[0] : wrong[0] + 2]
-        raise ValueError(f"t must increase, got {later:g} after {former:g}")
-    return times
 
 
 def _covariance(name: str, value: ArrayLike) -> Array:

@@ -1,26 +1,26 @@
-//! Lists the charts in this folder, so that a new one needs no line elsewhere.
+//! Lists the charts of the crate, so that a new one needs no line elsewhere.
 use std::{env, fs, path::Path};
 
-/// Files of the crate that are no charts.
-const OWN: [&str; 5] = ["lib", "build", "real", "scalars", "geometry"];
-
+/// Names of the charts: each has a file in the folder of rotations.
 fn charts(folder: &Path) -> Vec<String> {
-    let files = fs::read_dir(folder).expect("the folder of the crate can be read");
+    let files = fs::read_dir(folder).expect("the folder of rotations can be read");
     let mut found: Vec<String> = files
         .filter_map(|file| file.ok()?.file_name().into_string().ok()?.strip_suffix(".rs").map(String::from))
-        .filter(|name| !OWN.contains(&name.as_str()))
+        .filter(|name| name != "geometry")
         .collect();
     found.sort();
     found
 }
 
 fn main() {
-    println!("cargo:rerun-if-changed=.");
+    println!("cargo:rerun-if-changed=rotation");
     let root = env::var("CARGO_MANIFEST_DIR").expect("cargo names the folder of the crate");
     let out = env::var("OUT_DIR").expect("cargo names the folder of the build");
-    for (list, folder) in [("charts.rs", Path::new(&root).to_path_buf()), ("rotations.rs", Path::new(&root).join("rotation"))] {
-        let lines = charts(&folder).into_iter().map(|name| {
-            format!("#[path = {:?}]\npub mod {name};\n", folder.join(format!("{name}.rs")))
+    let (poses, rotations) = (Path::new(&root), Path::new(&root).join("rotation"));
+    for (list, folder) in [("charts.rs", poses), ("rotations.rs", &rotations)] {
+        let lines = charts(&rotations).into_iter().map(|name| {
+            let file = folder.join(format!("{name}.rs"));
+            format!("#[allow(non_snake_case)]\n#[path = {file:?}]\npub mod {name};\n")
         });
         fs::write(Path::new(&out).join(list), lines.collect::<String>()).expect("the list of charts can be written");
     }

@@ -17,9 +17,13 @@ from tests.support.command import ROOT, dualcay
 
 
 @pytest.mark.parametrize("target", TARGETS)
-def test_names_of_shared_files_are_reserved(target: str) -> None:
-    stems = {Path(file).stem for file in TARGETS[target].shared() if file.endswith(f".{TARGETS[target].extension}")}
-    assert stems <= catalogue.reserved_names()
+def test_names_of_shared_files_and_words_of_the_language_are_reserved(target: str) -> None:
+    endings = (f".{TARGETS[target].extension}", ".d.ts")
+    homes = {Path(TARGETS[target].file("chart", table)).parent for table in TARGETS[target].tables}
+    beside = [Path(file) for file in TARGETS[target].shared() if file.endswith(endings)]
+    stems = {file.name.partition(".")[0] for file in beside if file.parent in homes}
+    folders = {part.lstrip("+") for file in TARGETS[target].shared() for part in Path(file).parts[:-1]}
+    assert {*stems, *folders, *TARGETS[target].words} <= catalogue.reserved_names()
 
 
 def test_names_of_included_headers_are_reserved() -> None:

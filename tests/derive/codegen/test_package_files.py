@@ -43,11 +43,13 @@ def texts(target: str) -> Iterator[tuple[str, str]]:
 
 
 def heads(text: str) -> list[str]:
-    """Return the comment lines of a file without comment marks."""
+    """Return the comment lines of a file from its command on, without comment marks."""
     if text.startswith("{"):
         data = json.loads(text)
         return [data["made by"], *(data.get("about") or [data["$comment"]])]
-    lines = text.splitlines()
+    found = files.MARK.match(text)
+    assert found
+    lines = text[text.rfind("\n", 0, found.start(1)) + 1 :].splitlines()
     mark = lines[0].split()[0]
     return [line.removeprefix(mark).strip() for line in lines if line.startswith(mark)]
 
@@ -66,8 +68,10 @@ def test_licence_matches_the_project() -> None:
 
 
 @pytest.mark.parametrize("target", TARGETS)
-def test_rotations_have_a_module_for_each_chart(target: str) -> None:
-    assert any(name.startswith("rotation/") and "cayley1" in name for name in printed(target).modules[0].texts)
+def test_rotations_have_a_module_for_each_chart_and_a_geometry_if_poses_share_one(target: str) -> None:
+    homes = [str(Path(name).parent) for name in printed(target).shared if "geometry" in name]
+    assert ("rotation" in homes) == ("." in homes)
+    assert {TARGETS[target].file("cayley1", table) for table in (POSES, ROTATIONS)} <= printed(target).texts.keys()
 
 
 @pytest.mark.parametrize("target", TARGETS)
@@ -75,8 +79,10 @@ def test_release_changes_files_that_tell_the_version(target: str, monkeypatch: p
     before = dict(shared_texts(TARGETS[target]))
     monkeypatch.setattr(about, "__version__", "99.1.2")
     after = shared_texts(TARGETS[target])
-    built = {"c": ["CMakeLists.txt"], "rust": ["Cargo.toml"]}.get(target, [])  # there, builds read the version
-    assert {name for name, text in before.items() if after[name] != text} == {TARGETS[target].entry, *built}
+    # tools of the language read the version there
+    told = {"c": "CMakeLists.txt", "rust": "Cargo.toml", "js": "package.json", "matlab": "Contents.m"}
+    wanted = {TARGETS[target].entry, *filter(None, [told.get(target)])}
+    assert {name for name, text in before.items() if after[name] != text} == wanted
 
 
 # --- text about the package in its entry module -------------------------------------------------------------------

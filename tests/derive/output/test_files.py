@@ -204,6 +204,9 @@ def test_header_is_a_comment_with_the_command(tmp_path: Path):
     for text, command in [
         (OURS, "python -m derive generate -n 1 --target numpy"),
         ("// python -m derive generate -n 2 --target c\n", "python -m derive generate -n 2 --target c"),
+        ("function f(v)\n%F  Help\n\n% python -m derive generate -n 2\n%#codegen\n", "python -m derive generate -n 2"),
+        ("% List\n%   f - Help\n\n% python -m derive generate -n 2\n", "python -m derive generate -n 2"),
+        ("function f(v)\n%F  Help\n\nx = v;\n% python -m derive generate -n 2\n", None),
         ("x = 'python -m derive generate'\n", None),
         ("", None),
     ]:

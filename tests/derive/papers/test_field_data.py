@@ -10,7 +10,7 @@ import derive
 
 FOLDER = Path(derive.__file__).parent / "papers" / "field"
 DOCUMENTS = {path.stem: tomllib.loads(path.read_text("utf-8")) for path in sorted(FOLDER.glob("*.toml"))}
-GATHERED = ("code-alone", "reports")
+GATHERED = ("code-alone", "preintegration", "reports")
 """Files whose equations come from many places, each named beside the equation."""
 COMMIT = re.compile(r"commit [0-9a-f]{40}\b")
 PLACE = re.compile(r"^\S+[:/@]\S+|^10\.\d+/\S+")
