@@ -1,0 +1,160 @@
+"""Equality of trees for all numbers: for each relation of the numbers on which their choices depend."""
+
+from __future__ import annotations
+
+import math
+import zlib
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+
+from .trees import CHOICES, LEAVES, RELATIONS, Declined, Tree, Trees, same, unsigned
+
+SCALES = np.array([1.0, 1.0, 0.1, 3.0, 1e-4, 10.0, 0.0, 1e-9])  # of samples
+COMPARISONS = 60_000  # largest number of pairs of trees that are compared for a function
+Facts = frozenset[tuple[Tree, int]]
+"""Pairs of numbers whose relation is known, by its place."""
+
+
+class Equality:
+    """Comparison of trees, with samples of their values and what was found so far."""
+
+    def __init__(self, trees: Trees) -> None:
+        self.trees = trees
+        self.compared = dict[tuple[Tree, Tree, Facts], bool]()
+        self.cases = dict[tuple[Tree, int], dict[Tree, Any]]()
+        self.samples = dict[Tree, Any]()
+        self.becoming = dict[tuple[Tree, Tree], bool]()
+
+    def equal(self, a: Any, b: Any, facts: Facts = frozenset()) -> bool:
+        """Return whether two values have the same bits, however the numbers compare on which their choices depend.
+
+        ``facts`` are pairs whose relation is known, by its place.
+        """
+        if not (isinstance(a, Tree) and isinstance(b, Tree)) or a is b:
+            return same(a, b)
+        pairs = a.pairs | b.pairs
+        for pair, place in facts:
+            if pair in pairs:  # it came again when another pair was known
+                return self.equal(self._in_case(a, pair, place), self._in_case(b, pair, place), facts)
+        nested = [pair for pair in pairs if pair.pairs]
+        needed = frozenset(fact for fact in facts if any(self._may_become(each, fact[0]) for each in nested))
+        known = self.compared.get((a, b, needed)) or self.compared.get((a, b, facts))
+        if known is None:
+            if len(self.compared) > COMPARISONS:
+                raise Declined(f"more than {COMPARISONS} comparisons of trees")
+            known = self.alike_at_samples(a, b, facts)
+            known = known and (self._alike(a, b, facts) or self._equal_in_cases(a, b, facts))
+            self.compared[a, b, needed if known else facts] = known
+        return known
+
+    def alike_at_samples(self, a: Tree, b: Tree, facts: Facts = frozenset()) -> bool:
+        """Return whether two trees have the same bits at the samples for which facts hold."""
+        here = np.full(len(SCALES), True)
+        for pair, place in facts:
+            here &= self._relation(pair) == place
+        return bool(self.sample(a)[here].tobytes() == self.sample(b)[here].tobytes())
+
+    def sample(self, tree: Any) -> Any:
+        """Return the values of a tree for some numbers that are given; trees whose values differ are not equal."""
+        if not isinstance(tree, Tree):
+            return np.full(len(SCALES), tree, float).astype(self.trees.type)
+        if tree not in self.samples:
+            with np.errstate(all="ignore"):
+                made = np.asarray(self._sampled(tree), self.trees.type)
+            self.samples[tree] = np.where(np.isnan(made), self.trees.type(math.nan), made)
+        return self.samples[tree]
+
+    def _sampled(self, tree: Tree) -> Any:
+        if tree.kind == "const":
+            return np.full(len(SCALES), self.trees.value(tree))
+        if tree.kind in CHOICES:
+            return np.choose(self._relation(tree.parts[0]) - 1, [self.sample(part) for part in tree.parts[1:]])
+        known: dict[str, Any] = {"add": np.add, "mul": np.multiply, "div": np.divide, "neg": np.negative, "abs": np.abs,
+                                 "sqrt": np.sqrt}  # fmt: skip
+        if tree.kind in known:
+            return known[tree.kind](*map(self.sample, tree.parts))
+        if tree.kind in LEAVES:
+            seed = zlib.crc32(repr((tree.kind, tree.parts)).encode())
+            return np.random.default_rng(seed).normal(size=len(SCALES)) * SCALES
+        inner = np.full(len(SCALES), float(zlib.crc32(tree.kind.encode()) % 1000))
+        for place, part in enumerate(tree.parts):  # any function, value by value
+            inner += (place + 1.3) * (zlib.crc32(part.encode()) % 1000 if isinstance(part, str) else self.sample(part))
+        return np.sin(inner)
+
+    def _relation(self, pair: Tree) -> Any:
+        """Return the places of the relations in which the samples of a pair stand."""
+        if pair not in self.samples:
+            a, b = map(self.sample, pair.parts)
+            self.samples[pair] = 4 - 3 * (a < b) - 2 * (a == b) - (a > b)
+        return self.samples[pair]
+
+    def _may_become(self, one: Tree, other: Tree) -> bool:
+        """Return whether a tree may be another one, but for signs, for some relations of its pairs."""
+        one, other = (each.parts[0] if each.kind == "neg" else each for each in (one, other))
+        if one is other or not one.pairs:
+            return one is other
+        if (one, other) not in self.becoming:
+            if one.kind in CHOICES:
+                made = any(isinstance(part, Tree) and self._may_become(part, other) for part in one.parts[1:])
+            else:
+                made = one.kind == other.kind and len(one.parts) == len(other.parts) and any(
+                    all(map(self._part_may_become, one.parts, order)) for order in (other.parts, other.parts[::-1]))
+            self.becoming[one, other] = made
+        return self.becoming[one, other]
+
+    def _part_may_become(self, one: Any, other: Any) -> bool:
+        return self._may_become(one, other) if isinstance(one, Tree) and isinstance(other, Tree) else bool(one == other)
+
+    def _alike(self, a: Tree, b: Tree, facts: Facts) -> bool:
+        """Return whether two trees are one operation on equal operands."""
+        if a.kind != b.kind or a.kind in CHOICES or len(a.parts) != len(b.parts) or not (a.pairs or b.pairs):
+            return False
+        orders = [b.parts, b.parts[::-1]] if a.kind in ("add", "mul") else [b.parts]
+        return any(all(self.equal(x, y, facts) for x, y in zip(a.parts, order, strict=True)) for order in orders)
+
+    def _equal_in_cases(self, a: Tree, b: Tree, facts: Facts) -> bool:
+        """Compare two trees for each relation of one pair of numbers, itself free of choices."""
+        pairs = [pair for pair in a.pairs | b.pairs if not pair.pairs]
+        if not pairs:
+            return False
+        pair = min(pairs, key=lambda each: each.rank)
+        return all(
+            self.equal(self._in_case(a, pair, place), self._in_case(b, pair, place), facts | {(pair, place)})
+            for place in range(1, 5)
+        )
+
+    def _in_case(self, tree: Any, pair: Tree, place: int) -> Any:
+        """Return a tree where a pair of numbers stands in the relation at a place of its choices."""
+        if (pair, place) not in self.cases:
+            self.cases[pair, place] = dict(self._same_bits(pair) if RELATIONS[place - 1] == "equal" else ())
+        done = self.cases[pair, place]
+
+        def walk(each: Any) -> Any:
+            if not isinstance(each, Tree) or each.kind in LEAVES:
+                return done.get(each, each) if isinstance(each, Tree) else each
+            if each not in done:
+                made = each if each.kind in CHOICES and each.parts[0] is pair else self.trees.rebuilt(each, walk)
+                chosen = isinstance(made, Tree) and made.kind in CHOICES and made.parts[0] is pair
+                done[each] = walk(made.parts[place]) if chosen else made
+            return done[each]
+
+        return walk(tree)
+
+    def _same_bits(self, pair: Tree) -> Iterator[tuple[Tree, Tree]]:
+        """Yield a number with the constant whose bits it has if they are equal: zeros may differ in sign."""
+        for one, other in (pair.parts, pair.parts[::-1]):
+            value = self.trees.value(other)
+            if value or (value == 0 and unsigned(one) and not np.signbit(value)):
+                yield one, other
+
+
+def difference(a: Any, b: Any) -> tuple[Any, Any]:
+    """Return the first operations that differ in two trees."""
+    while isinstance(a, Tree) and isinstance(b, Tree) and a.kind == b.kind:
+        parts = [(x, y) for x in a.parts if x not in b.parts for y in b.parts if y not in a.parts]
+        if len(parts) != 1 or not all(isinstance(each, Tree) for each in parts[0]):
+            break
+        a, b = parts[0]
+    return a, b

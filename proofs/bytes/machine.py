@@ -1,0 +1,313 @@
+"""Machine code executed on symbols: integers and addresses are known, floats are trees of rounded operations.
+
+Where a jump depends on floats, both sides are executed up to the block where they meet, and their values become
+choices. The machine may read its arguments, its stack and constants; it may write its stack and its results.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Mapping, Sequence
+from dataclasses import dataclass, field
+from functools import partial
+from typing import Any
+
+from .conditions import CONDITIONS
+from .memory import Memory
+from .program import EXIT, Program
+from .trees import PATTERNS, Declined, Different, Tree, Trees, same
+from .words import VECTOR, Words, known
+
+STACK, STACK_SIZE, BACK = 0x7FFF_FFFF_0000, 1 << 20, 0x7FFF_F000_0000
+BLOCKS = 300_000  # largest number of blocks that a call executes
+LIBRARY = {"tan": 1, "atan2": 2, "expm1": 1, "log1p": 1, "sqrt": 1, "fabs": 1}
+"""Functions of math.h with the number of their arguments; of these, only sqrt and fabs are known."""
+
+
+@dataclass(frozen=True)
+class Convention:
+    """Registers of integers, numbers and results of a call, those that it keeps, and modes that it finds."""
+
+    integers: tuple[str, ...]
+    floats: tuple[str, ...]
+    stack: str
+    kept: tuple[str, ...]
+    modes: Mapping[str, int]
+    link: str = ""  # register of the return address; without one it lies on the stack
+
+
+CONVENTIONS = {
+    "AMD64": Convention(("rdi", "rsi", "rdx", "rcx", "r8", "r9"), tuple(f"xmm{n}lq" for n in range(8)), "rsp",
+                        ("rbx", "rbp", "r12", "r13", "r14", "r15"), {"sseround": 0, "d": 1}),
+    "AARCH64": Convention(tuple(f"x{n}" for n in range(8)), tuple(f"d{n}" for n in range(8)), "xsp",
+                          (*(f"x{n}" for n in range(19, 30)), *(f"d{n}" for n in range(8, 16))), {"fpcr": 0}, "x30"),
+}  # fmt: skip
+"""Conventions of calls: System V for x86-64, and AArch64's."""
+
+
+@dataclass
+class State:
+    """Registers by their place and memory."""
+
+    registers: Memory
+    memory: Memory
+
+    def copy(self) -> State:
+        return State(self.registers.copy(), self.memory.copy())
+
+
+@dataclass
+class Machine:
+    """Machine that executes the functions of a program."""
+
+    program: Program
+    trees: Trees
+    executed: set[int] = field(default_factory=set)
+    blocks: dict[int, Any] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        if self.program.architecture not in CONVENTIONS:
+            raise Declined(f"machine code of {self.program.architecture}")
+        self.words, self.convention = Words(self.trees), CONVENTIONS[self.program.architecture]
+        self.places: Mapping[str, tuple[int, int]] = self.program.file.arch.registers
+        self.stack = self.places[self.convention.stack][0]
+        self.writable: Collection[int] = ()
+        self.steps = 0
+
+    def call(self, name: str, integers: Sequence[int], floats: Sequence[Tree], memory: Mapping[int, Tree],
+             writable: Collection[int]) -> State:  # fmt: skip
+        """Call a function; return the state after it."""
+        own, words = self.convention, self.words
+        self.writable, self.steps = writable, 0
+        kept = {each: words.joined(*((self.trees.make("saved", each, place), words.unit)
+                                     for place in range(0, 8, words.unit))) for each in own.kept}  # fmt: skip
+        state = State(Memory(words), Memory(words))
+        given = zip(own.integers, integers, strict=False)
+        for each, word in [*kept.items(), *own.modes.items(), *given, (own.stack, STACK if own.link else STACK - 8)]:
+            self._set(state, each, word)
+        for each, number in zip(own.floats, floats, strict=False):
+            state.registers.put(self.places[each][0], number, words.unit)
+        for address, number in memory.items():
+            state.memory.put(address, number, words.unit)
+        for place, word in enumerate(integers[len(own.integers) :]):
+            state.memory.put(STACK + 8 * place, word, 8)
+        state = self._function(state, self.program.functions[name], BACK, pushed=False)
+        for each, word in kept.items():
+            if not same(self._get(state, each), word):
+                raise Different(f"the register {each}, which belongs to the caller, is not restored")
+        return state
+
+    def _get(self, state: State, name: str) -> Any:
+        return state.registers.take(*self.places[name])
+
+    def _set(self, state: State, name: str, word: Any) -> None:
+        state.registers.put(self.places[name][0], word, self.places[name][1])
+
+    def _function(self, state: State, start: int, back: int, pushed: bool) -> State:
+        """Execute a function that goes back to an address; a call has pushed it on the stack already."""
+        top = known(self._get(state, self.convention.stack))
+        if self.convention.link:
+            self._set(state, self.convention.link, back)
+        elif not pushed:
+            state.memory.put(top, back, 8)
+        state, target = self._run(state, start, EXIT)
+        after = top if self.convention.link else top + 8
+        if not same(target, back) or self._get(state, self.convention.stack) != after:
+            raise Different("the return address or the stack is not restored")
+        return state
+
+    def _run(self, state: State, address: int, stop: int) -> tuple[State, Any]:
+        """Execute blocks up to one, or until the function returns; return the address where it goes on."""
+        while address != stop:
+            self.executed.add(address)
+            self.steps += 1
+            if self.steps > BLOCKS:
+                raise Declined(f"more than {BLOCKS} blocks")
+            block = self.program.block(address)
+            sides, target = self._block(state, block)
+            if sides is not None:
+                join = self.program.join(address)
+                (one, back), (two, other) = self._run(*sides[1:], join), self._run(state, known(target), join)
+                state, target = self._merged(sides[0], one, two), self._either(sides[0], back, other)
+                if join == EXIT:
+                    return state, target
+            elif block.jumpkind == "Ijk_Ret":
+                return state, target
+            elif library := self.program.library(known(target)):
+                self._library(state, library, called=block.jumpkind == "Ijk_Call")
+                back = self._back(state)
+                if block.jumpkind != "Ijk_Call":
+                    return state, back
+                target = back
+            elif block.jumpkind == "Ijk_Call":
+                back = address + block.size
+                state = self._function(state, target, back, pushed=True)
+                target = back
+            elif block.jumpkind != "Ijk_Boring":
+                raise Declined(f"a jump of the kind {block.jumpkind}")
+            address = known(target)
+        return state, address
+
+    def _back(self, state: State) -> Any:
+        """Return the return address as a function does at its end."""
+        if self.convention.link:
+            return self._get(state, self.convention.link)
+        top = known(self._get(state, self.convention.stack))
+        self._set(state, self.convention.stack, top + 8)
+        return self.load(state, top, 8)
+
+    def _library(self, state: State, name: str, called: bool) -> None:
+        """Call a function of math.h, which may change every register that it does not keep."""
+        own = self.convention
+        top = known(self._get(state, own.stack))
+        if (top + (0 if own.link else 8)) & 15:
+            raise Different(f"the stack is not aligned at a call of {name}")
+        plain = name.removesuffix("f") if self.trees.unit == 4 else name
+        if plain not in LIBRARY or (self.trees.unit == 4) != (plain != name):
+            raise Declined(f"a call of {name}")
+        given = [self.trees.number(self.words.part(self._get(state, own.floats[place]), 0, self.trees.unit))
+                 for place in range(LIBRARY[plain])]  # fmt: skip
+        known_ = {"sqrt": self.trees.sqrt, "fabs": self.trees.absolute}
+        made = known_[plain](*given) if plain in known_ else self.trees.call(plain, *given)
+        kept = [*own.kept, own.stack, *own.modes, *([own.link] if own.link else ())]
+        words = {each: self._get(state, each) for each in kept}
+        state.registers.clear()
+        for each, word in words.items():
+            self._set(state, each, word)
+        state.registers.put(self.places[own.floats[0]][0], made, self.trees.unit)
+        for address in [each for each in state.memory if top - STACK_SIZE <= each < top]:
+            del state.memory[address]
+
+    # --- sides of a jump ----------------------------------------------------------------------------------------------
+
+    def _either(self, truth: Tree, a: Any, b: Any) -> Any:
+        if a is b or same(a, b):
+            return a
+        if any(isinstance(word, Tree) and word.kind not in PATTERNS for word in (a, b)):
+            a, b = self.trees.number(a), self.trees.number(b)
+        return self.trees.lift(lambda t: a if t else b, truth)
+
+    def _merged(self, truth: Tree, one: State, two: State) -> State:
+        """Return the state after both sides of a jump."""
+        if not same(self._get(one, self.convention.stack), self._get(two, self.convention.stack)):
+            raise Declined("the sides of a jump leave the stack at different depths")
+        self._merge(truth, one.registers, two.registers)
+        self._merge(truth, one.memory, two.memory)
+        return one
+
+    def _merge(self, truth: Tree, one: Memory, two: Memory) -> None:
+        changed = {address for address, word in two.items() if one[address] is not word}
+        for address in sorted(changed | one.keys() - two.keys()):
+            one[address] = self._either(truth, one[address], two[address])
+
+    # --- memory -------------------------------------------------------------------------------------------------------
+
+    def load(self, state: State, address: Any, width: int) -> Any:
+        """Return the word at an address."""
+        if isinstance(address, Tree):
+            return self.trees.lift(lambda each: self.load(state, known(each), width), address)
+        if address - address % self.trees.unit not in state.memory and not STACK - STACK_SIZE <= address < STACK:
+            if (found := self.program.constant(address, width)) is None:
+                raise Different(f"an access to memory at {address:#x}, outside of arguments and results")
+            return found
+        return state.memory.take(address, width)
+
+    def store(self, state: State, address: Any, word: Any, width: int) -> None:
+        address = known(address)
+        cells = range(address - address % self.trees.unit, address + width, self.trees.unit)
+        if not STACK - STACK_SIZE <= address < STACK and not all(each in self.writable for each in cells):
+            raise Different(f"a store outside of the results, at {address:#x}")
+        state.memory.put(address, word, width)
+
+    # --- blocks -------------------------------------------------------------------------------------------------------
+
+    def _block(self, state: State, block: Any) -> tuple[tuple[Tree, State, int] | None, Any]:
+        """Execute a block; return the other side of a jump that depends on numbers, and the address after the block."""
+        if block.addr not in self.blocks:
+            statements = [self._statement(each, block.tyenv) for each in block.statements]
+            after = self._expression(block.next, block.tyenv)
+            self.blocks[block.addr] = [each for each in statements if each is not None], after
+        statements, after = self.blocks[block.addr]
+        values: list[Any] = [None] * len(block.tyenv.types)
+        sides = None
+        for each in statements:
+            if (made := each(state, values)) is not None:
+                if not isinstance(made, tuple):
+                    return sides, made
+                if sides is not None:
+                    raise Declined("two jumps of a block depend on numbers")
+                sides = made
+        return sides, after(state, values)
+
+    def _statement(self, each: Any, types: Any) -> Callable[[State, list[Any]], Any] | None:
+        """Return a statement as a function; that of a jump returns its address, or the other side."""
+        tag = each.tag
+        if tag in ("Ist_IMark", "Ist_AbiHint", "Ist_NoOp"):
+            return None
+        if tag == "Ist_Exit":
+            return self._exit(each, self._expression(each.guard, types))
+        if tag not in ("Ist_WrTmp", "Ist_Put", "Ist_Store"):
+            raise Declined(f"no statement that is known: {each}")
+        value = self._expression(each.data, types)
+        if tag == "Ist_WrTmp":
+            place = each.tmp
+            return lambda state, values: values.__setitem__(place, value(state, values))
+        width = each.data.result_size(types) // 8
+        if tag == "Ist_Put":
+            offset = each.offset
+            return lambda state, values: state.registers.put(offset, value(state, values), width)
+        address = self._expression(each.addr, types)
+        return lambda state, values: self.store(state, address(state, values), value(state, values), width)
+
+    def _exit(self, each: Any, guard: Callable[[State, list[Any]], Any]) -> Callable[[State, list[Any]], Any]:
+        target, jumps = each.dst.value, each.jk == "Ijk_Boring"
+
+        def leave(state: State, values: list[Any]) -> Any:
+            truth = guard(state, values)
+            if isinstance(truth, Tree) and jumps:
+                return truth, state.copy(), target
+            if known(truth) and not jumps:
+                raise Different("memory is not aligned")
+            return target if truth else None
+
+        return leave
+
+    def _expression(self, each: Any, types: Any) -> Callable[[State, list[Any]], Any]:
+        """Return an expression as a function of the state and of values that the block has computed."""
+        words, tag = self.words, each.tag
+        if tag == "Iex_RdTmp":
+            place = each.tmp
+            return lambda state, values: values[place]
+        if tag == "Iex_Const":
+            constant = self._constant(each.con)
+            return lambda state, values: constant
+        width = 0 if tag == "Iex_CCall" else each.result_size(types) // 8
+        if tag == "Iex_Get":
+            offset = each.offset
+            return lambda state, values: state.registers.take(offset, width)
+        if tag == "Iex_Load":
+            address = self._expression(each.addr, types)
+            return lambda state, values: self.load(state, address(state, values), width)
+        if tag == "Iex_ITE":
+            given = [self._expression(other, types) for other in (each.cond, each.iftrue, each.iffalse)]
+            function: Callable[..., Any] = partial(self.trees.lift, _chosen)
+        elif tag in ("Iex_Unop", "Iex_Binop", "Iex_Triop", "Iex_Qop"):
+            given = [self._expression(other, types) for other in each.args]
+            function = words.operation(each.op)
+        elif tag == "Iex_CCall" and each.cee.name in CONDITIONS:
+            given = [self._expression(other, types) for other in each.args]
+            function = partial(self.trees.lift, CONDITIONS[each.cee.name])
+        else:
+            raise Declined(f"no expression that is known: {each}")
+        return lambda state, values: function(*[other(state, values) for other in given])
+
+    def _constant(self, constant: Any) -> Any:
+        value, type_ = constant.value, constant.type
+        if type_ in ("Ity_V128", "Ity_V256"):  # a bit for each byte
+            return sum(0xFF << 8 * place for place in range(VECTOR[type_[4:]]) if value >> place & 1)
+        if type_ in ("Ity_F32", "Ity_F64") and not isinstance(value, int):
+            return self.trees.pattern(self.trees.constant(value))
+        return value
+
+
+def _chosen(truth: Any, one: Any, other: Any) -> Any:
+    return one if truth else other

@@ -1,0 +1,135 @@
+"""Compiled functions as blocks of intermediate code, with the graph of their jumps.
+
+The library cle loads a file and pyvex translates its instructions; both come with ``pip install '.[bytes]'``.
+"""
+
+from __future__ import annotations
+
+import logging
+from functools import cached_property
+from pathlib import Path
+from typing import Any
+
+from ..statements import MachineError
+from .trees import Declined, Different
+
+EXIT = -1  # where a function returns, in its graph
+FUSED = ((0xBF20FC00, 0x0E20CC00), (0xBF80B400, 0x0F801000), (0xFF000000, 0x1F000000))
+"""Masks and values of AArch64's fused operations, which the translation to intermediate code rounds twice."""
+BYTES = 256  # a block ends before an address that is a multiple of this: blocks from different starts fall together
+
+
+class Program:
+    """File of machine code: an object, a library or a program."""
+
+    def __init__(self, path: Path) -> None:
+        try:
+            import cle
+            import pyvex
+        except ImportError as error:
+            raise MachineError("python -m proofs.bytes needs cle: pip install '.[bytes]'", 3) from error
+        logging.getLogger("cle").setLevel(logging.CRITICAL)
+        logging.getLogger("pyvex").setLevel(logging.CRITICAL)
+        try:
+            self.loader = cle.Loader(str(path), auto_load_libs=False)
+        except (cle.CLEError, OSError) as error:
+            raise MachineError(f"{path}: no file of machine code: {error}") from error
+        self.file: Any = self.loader.main_object
+        self.memory: Any = self.loader.memory
+        self.lift = pyvex.lift
+        self.blocks: dict[int, Any] = {}
+        self.joins: dict[int, int] = {}
+
+    @property
+    def architecture(self) -> str:
+        return str(self.file.arch.name)
+
+    @cached_property
+    def functions(self) -> dict[str, int]:
+        """Addresses of the functions that the file defines."""
+        return {each.name: each.rebased_addr for each in self.file.symbols
+                if each.is_function and not each.is_import and each.size}  # fmt: skip
+
+    def inside(self, address: int) -> bool:
+        """Return whether an address holds code of the file."""
+        return self.file.contains_addr(address) and not self.library(address)
+
+    def library(self, address: int) -> str:
+        """Return the name of the function of another library at an address, or an empty text."""
+        found = None if self.file.contains_addr(address) else self.loader.find_symbol(address)
+        return found.name if found else ""
+
+    def constant(self, address: int, width: int) -> int | None:
+        """Return the constant at an address, or None; data that a program may change are none."""
+        section = self.file.find_section_containing(address)
+        if section is None or (section.is_writable and not section.name.startswith(".got")):
+            return None
+        return int.from_bytes(self.memory.load(address, width), "little")
+
+    def block(self, address: int) -> Any:
+        """Return the block of instructions from an address up to the next jump."""
+        if address not in self.blocks:
+            if not self.inside(address):
+                raise Declined(f"a jump to {address:#x}, outside of the code")
+            longest = BYTES - address % BYTES
+            made = self._lifted(address, longest)
+            if made.jumpkind == "Ijk_NoDecode":  # the last instruction lies across the boundary
+                made = self._lifted(address, longest + 16, max(1, made.instructions))
+            if made.jumpkind == "Ijk_NoDecode":
+                raise Declined(f"no instruction that is known: {self.memory.load(address, 8).hex()}")
+            if self.architecture == "AARCH64":
+                self._refuse_fused(address, made.size)
+            self.blocks[address] = made
+        return self.blocks[address]
+
+    def _refuse_fused(self, address: int, size: int) -> None:
+        for place in range(address, address + size, 4):
+            word = int.from_bytes(self.memory.load(place, 4), "little")
+            if any(word & mask == value for mask, value in FUSED):
+                raise Different(f"{place:#x}: a fused multiply-add rounds once where the text rounds twice")
+
+    def _lifted(self, address: int, size: int, count: int | None = None) -> Any:
+        code = self.memory.load(address, size)
+        return self.lift(code, address, self.file.arch, max_bytes=size, max_inst=count, opt_level=1)
+
+    def follow(self, address: int) -> list[int]:
+        """Return the addresses after a block; calls return, and a jump to another library returns."""
+        block, targets = self.block(address), self.targets(address)
+        if block.jumpkind == "Ijk_Call":
+            return [address + block.size]
+        after = [each for each in targets if not self.library(each)]
+        return after if block.jumpkind == "Ijk_Boring" and targets and len(after) == len(targets) else [*after, EXIT]
+
+    def targets(self, address: int) -> list[int]:
+        """Return the known addresses to which a block jumps; faults, as of unaligned memory, have none."""
+        found = self.block(address).constant_jump_targets_and_jumpkinds
+        return [each for each, kind in found.items() if kind in ("Ijk_Boring", "Ijk_Call")]
+
+    def reached(self, start: int) -> set[int]:
+        """Return the blocks that a function may execute, those of functions that it calls too."""
+        found, waiting = set[int](), [start]
+        while waiting:
+            address = waiting.pop()
+            if address == EXIT or address in found or self.library(address):
+                continue
+            found.add(address)
+            waiting += [*self.follow(address), *self.targets(address)]
+        return found
+
+    def join(self, address: int) -> int:
+        """Return the first block that every way from a block passes: its immediate postdominator."""
+        if address not in self.joins:
+            graph, waiting = dict[int, list[int]](), [address]
+            while waiting:
+                if (each := waiting.pop()) not in graph and each != EXIT:
+                    waiting += graph.setdefault(each, self.follow(each))
+            passed = {each: {EXIT, *graph} for each in graph} | {EXIT: {EXIT}}  # by every way to the exit
+            changed = True
+            while changed:
+                changed = False
+                for each in reversed(graph):
+                    new = {each}.union(set[int].intersection(*(passed[after] for after in graph[each])))
+                    changed, passed[each] = changed or new != passed[each], new
+            for each in graph:
+                self.joins[each] = max(passed[each] - {each}, key=lambda other: len(passed[other]))
+        return self.joins[address]
