@@ -50,7 +50,7 @@ def test_data_of_an_erratum() -> None:
         "method": "exact", "anchor": "condurache-popa-2023-7", "section": "9", "line": 3, "source": SOURCE,
         "said": "words", "remark": "A sign is missing. More.", "claim": None, "domain": None,
         "outside": None, "certainty": "", "points": 0, "changes": (), "vacuous": (), "needs": (), "cuts": "", "at": "",
-        "latex": None,
+        "latex": None, "proposed": False,
     }  # fmt: skip
 
 
