@@ -36,5 +36,8 @@ def content(path: str | Path) -> tuple[dict[str, Any], list[tuple[str, ClaimErro
     if not collected.equations:
         first = f"; {collected.problems[0][1].message}" if collected.problems else ""
         raise SheetError(f"{path}: no displayed equation{first}")
-    tables = {"letters": collected.letters, "definitions": collected.definitions, "equation": collected.equations}
+    tables = {
+        "paper": {"slug": Path(path).with_suffix("").as_posix(), "short": Path(path).stem},
+        "letters": collected.letters, "definitions": collected.definitions, "equation": collected.equations,
+    }  # fmt: skip
     return tables, collected.problems

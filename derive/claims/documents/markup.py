@@ -12,7 +12,7 @@ from .scanner import ENVIRONMENTS, Scanner
 FENCE = re.compile(r"[ \t>]*(`{3,}|~{3,}|:{3,})\s*(.*)")
 OPTION = re.compile(r"\s*:?(label|name):\s*(\S+)|\s*:[\w-]+:|\s*---\s*$")
 TOKEN = re.compile(
-    r"`+[^`]*`+|(?P<comment><!--|-->)|(?P<dollars>\$\$)(?:\s*\((?P<label>[\w:.-]+)\))?|\\(?P<edge>begin|end)\{(?P<name>\w+)\*?\}|\\."
+    r"`+[^`]*`+|(?P<comment><!--|-->)|(?P<dollars>\$\$)(?:\s*(?:\(|\{#)(?P<label>[\w:.-]+)[)}])?|\\(?P<edge>begin|end)\{(?P<name>\w+)\*?\}|\\."
 )
 
 

@@ -11,8 +11,11 @@ from .scanner import ENVIRONMENTS, Scanner
 VERBATIM = ("verbatim", "Verbatim", "lstlisting", "minted", "comment")
 TOKEN = re.compile(
     r"\\(?P<edge>begin|end)\s*\{(?P<name>\w+)(?P<star>\*?)\}|\\(?P<bracket>[][])|(?P<dollar>\$\$?)|(?P<percent>%)"
-    r"|\\(?:input|include)\b\s*(?:\{(?P<file>[^{}]*)\}|(?P<word>[^\s\\{}%]+))|\\verb\b\*?(?P<verb>[^\w\s])|\\."
+    r"|\\(?:input|include)\b\s*(?:\{(?P<file>[^{}]*)\}|(?P<word>[^\s\\{}%]+))|\\verb\b\*?(?P<verb>[^\w\s])"
+    r"|\\(?P<iffalse>iffalse)\b|\\."
 )
+MACRO = re.compile(r"\s*\\(?:(?:re)?newcommand|(?:re)?newenvironment|providecommand|def|let)\b")
+"""Beginning of a line that defines a macro, whose parts are no displays."""
 
 
 def read(files: Files, collected: Collector) -> None:
@@ -36,7 +39,7 @@ class Reader(Scanner):
             self.file, name = path, self.files.name(path)
             self.prefix = f"{name} " if name else ""
             self.inline = self.inline and bool(line.strip())
-            if not self.ended:
+            if not (self.ended or (MACRO.match(line) and not self.kind)):
                 self._line(number, line)
         self.files.open.pop()
         if not self.files.open:
@@ -56,7 +59,9 @@ class Reader(Scanner):
             if token is None:
                 break
             at = token.end()
-            if token["verb"]:
+            if token["iffalse"]:
+                self.verbatim = r"\fi"
+            elif token["verb"]:
                 at = line.find(token["verb"], at) + 1 or len(line)
             elif token["percent"]:
                 self.add(number, line, begun, token.start())

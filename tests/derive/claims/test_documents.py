@@ -52,6 +52,7 @@ TEX = {name: environment(name) for name in ("equation", "equation*", "align", "g
 MARKDOWN = {
     "dollars": lambda label, latex: f"$$\n{latex}\n$$ ({label})",
     "fence": lambda label, latex: f"```math\n{latex} \\label{{{label}}}\n```",
+    "pandoc": lambda label, latex: f"$${latex}$$ {{#{label}}}",
     "myst": lambda label, latex: f"```{{math}}\n:label: {label}\n{latex}\n```",
     "colon": lambda label, latex: f":::{{math}}\n---\nlabel: {label}\n---\n{latex}\n:::",
     "align": environment("align"),
@@ -66,7 +67,8 @@ WAYS = [
     (".ipynb", MARKDOWN["dollars"], of_lines("#")),
 ]  # fmt: skip
 PASSED_OVER = {
-    ".tex": "\\verb|$$| \\$$\n% \\begin{equation}\n\\begin{verbatim}\n\\[ x \\]\n% dualcay: claim 1\n\\end{verbatim}\n",
+    ".tex": "\\verb|$$| \\$$\n% \\begin{equation}\n\\begin{verbatim}\n\\[ x \\]\n% dualcay: claim 1\n\\end{verbatim}\n"
+            "\\newcommand{\\be}{\\begin{equation}}\n\\iffalse\n$$x$$\n% dualcay: claim 1\n\\fi\n",
     ".md": "`$$` \\$$ <!-- $$ -->\n```tex\n$$\n<!-- dualcay: claim 1 -->\n```\n~~~\n```math\n~~~\n",
     ".rst": "Code::\n\n   .. math:: x\n   .. dualcay: claim 1\n\n.. code-block:: rst\n\n   .. math:: x\n",
 }
@@ -160,8 +162,8 @@ def test_comment_before_all_equations_has_none(tmp_path: Path) -> None:
     assert "no displayed equation stands before" in error.message
 
 
-OUTSIDE = ("../out", "sub/../../out", "/etc/passwd", "C:/a", r"\jobname", "", "link", "folder/out", "none", "paper", "loop",
-           "pipe", "a" * 5000)  # fmt: skip
+OUTSIDE = ("../other/out", "sub/../../other/out", "/etc/passwd", "C:/a", r"\jobname", "", "link", "folder/out", "none",
+           "paper", "loop", "pipe", "a" * 5000)  # fmt: skip
 
 
 @pytest.mark.parametrize("name", OUTSIDE)

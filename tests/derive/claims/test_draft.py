@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 
+from derive.claims import proposal
 from derive.claims.draft import draft
 from derive.claims.report import FORMATS, Report
 from derive.claims.run import check_sheets
@@ -75,16 +76,28 @@ def test_first_sign_that_is_not_understood_is_named(formula: str, tmp_path: Path
     assert (row["number"], row["latex"]) == ("line 2", formula)
 
 
+@pytest.mark.parametrize(
+    ("table", "sign", "other", "formula"),
+    [("PRODUCTS", r"\cdot", "cross", r"v \cdot w = 0"), ("RELATIONS", "<", "<=", "b < c"),
+     ("ACCENTS", r"\dot", "skew", r"\dot v = \dot w"), ("FUNCTIONS", r"\sin", "cos", r"\sin a = b")],
+)  # fmt: skip
+def test_sign_that_is_read_as_another_one_is_found_by_the_print(
+    table: str, sign: str, other: str, formula: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    assert "proposed = true\n" in drafted(tmp_path, formula)[0].read_text()
+    monkeypatch.setitem(getattr(proposal, table), sign, other)
+    assert f'claim = ""  # not understood: {sign}: ' in drafted(tmp_path, formula)[0].read_text()
+
+
 def test_letter_printed_in_two_ways_is_not_read(tmp_path: Path) -> None:
     _, rows = drafted(tmp_path, r"\mathbf{v} \times w = 0", r"v = |\mathbf v|", r"w \times w = 0")
     assert [getattr(row, "number", None) for row in rows] == ["line 4", None, None]
 
 
 def test_every_part_of_a_draft_is_text(tmp_path: Path) -> None:
-    strange = "\x07 \\label{it's \"\\a\" é} ''' \x1b \x7f"
-    _, [row] = drafted(tmp_path, strange)
-    assert row["number"] == "it's \"\\a\" é"
-    assert "'''" in row["latex"]
+    _, [first, second] = drafted(tmp_path, "\x07 \\label{it's \"\\a\" é} ''' \x1b \x7f", "\x1b \x7f")
+    assert first["number"] == "it's \"\\a\" é"
+    assert (first["latex"], second["latex"]) == ("\x07 ''' \x1b \x7f", "\x1b \x7f")
 
 
 def test_caution_stands_beside_the_verdict_until_the_mark_is_deleted(tmp_path: Path) -> None:
