@@ -29,7 +29,7 @@ def draft(path: str | Path, letters: Mapping[str, str]) -> tuple[str, list[Probl
     known = spellings(reader.scope(kinds, definitions, {}))
     printed = ways((row["latex"] for row in tables["equation"]), known)
     only = {name: known[next(iter(way))][1] for name, way in printed.items() if len(way) == 1}
-    known = {way: found for way, found in known.items() if only.get(found[0]) == found[1]}
+    known = Spellings({way: found for way, found in known.items() if only.get(found[0]) == found[1]})
     scope = Reader(str(path)).scope(kinds, definitions, only)
     usual = {name: str(symbol.args[2]) for name, (symbol, _) in reader.scope(kinds, {}, {}).letters.items()}
     own = {name: shown for name, shown in only.items() if usual.get(name, latex_of(name)) != shown}

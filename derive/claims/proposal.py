@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Collection, Iterable, Iterator
+from functools import cached_property
 from itertools import zip_longest
 
 from .language.claims import statement
@@ -16,7 +17,7 @@ from .language.operations import CONSTANTS, OPERATIONS, written
 from .language.printed import OPERATORS, latex
 
 SIGN = re.compile(r"\\operatorname\s*\{[A-Za-z]+\}|\\[A-Za-z]+|\\.|\d+|\S", re.DOTALL)
-LAYOUT = (r"\left", r"\right", r"\,", r"\;", r"\:", r"\!", r"\ ", "~", "&", r"\displaystyle")
+LAYOUT = (r"\left", r"\right", r"\,", r"\;", r"\:", r"\!", r"\ ", "~", r"\displaystyle")
 SAME = {
     r"\le": r"\leq", r"\ge": r"\geq", r"\ne": r"\neq", r"\tfrac": r"\frac", r"\dfrac": r"\frac", r"\lvert": "|",
     r"\rvert": "|", r"\|": "|", r"\lVert": "|", r"\rVert": "|", r"\top": "T", r"\widetilde": r"\tilde",
@@ -26,8 +27,8 @@ SAME = {
 RELATIONS = {"=": "==", r"\neq": "!=", "<": "<", ">": ">", r"\leq": "<=", r"\geq": ">="}
 PRODUCTS = {r"\cdot": "dot", r"\times": "cross", r"\otimes": "dyad"}
 ACCENTS = {r"\tilde": "skew", r"\dot": "rate"}
-SIGNS_MAX = 1000
-"""Largest number of signs in a formula that is read."""
+CHARACTERS_MAX = 4000
+"""Largest number of characters in a formula that is read."""
 CLOSING = {"(": ")", "[": "]", "{": "}", "|": "|"}
 FONTS = ("", r"\mathbf", r"\boldsymbol", r"\bm", r"\vec", r"\mathrm", r"\mathsf")
 PREFIX = re.compile(r"(\\\w+(?:\{\w+\})?) \{0\}")
@@ -57,19 +58,46 @@ def signs(formula: str) -> list[str]:
             found[-3:] = [found[-2]]
     while found and found[-1] in ".,;:":
         found.pop()
-    return [s for s, after in zip_longest(found, found[1:]) if s != r"\\" or after not in (*RELATIONS, "+", "-")]
+    ends = [r"\\", *found, "", ""]
+    return [sign for sign, *near in zip(found, ends, ends[2:], ends[3:], strict=False) if not _only_aligns(sign, *near)]
 
 
-Spellings = dict[tuple[str, ...], tuple[str, str]]
-"""Name and LaTeX by signs."""
+def _only_aligns(sign: str, before: str, after: str, later: str) -> bool:
+    """Return whether a sign aligns the rows of one formula, where another one may separate two formulas."""
+    if sign == "&":
+        return before in (r"\\", *RELATIONS) or after in RELATIONS
+    return sign == r"\\" and (later if after == "&" else after) in (*RELATIONS, "+", "-")
+
+
+class Spellings(dict[tuple[str, ...], tuple[str, str]]):
+    """Names with their LaTeX, by the signs that print them."""
+
+    @cached_property
+    def sizes(self) -> dict[str, list[int]]:
+        """Numbers of signs of the names that begin with a sign, the largest first."""
+        found: dict[str, set[int]] = {}
+        for way in self:
+            found.setdefault(way[0], set()).add(len(way))
+        return {sign: sorted(sizes, reverse=True) for sign, sizes in found.items()}
+
+    def at(self, given: list[str], place: int) -> tuple[str, ...]:
+        """Return the signs of the name that stands at a place of a formula; none if there is no name."""
+        for size in self.sizes.get(given[place], ()):
+            way = tuple(given[place : place + size])
+            if way in self and given[place + size : place + size + 1] != ["_"]:
+                return way
+        return ()
+
+
 PLAIN = (*FUNCTIONS, *ACCENTS, *PRODUCTS, *RELATIONS, r"\frac", r"\sqrt")
 """Commands that leave the letter after them what it is."""
 
 
 def spellings(scope: Scope) -> Spellings:
     """Return the letters, constants and definitions of a scope by the signs that may print them."""
-    printed = {name: str(symbol.args[2]) for name, (symbol, _) in (*CONSTANTS.items(), *scope.letters.items())}
-    found = {tuple(signs(shown)): (name, shown) for name, shown in printed.items()}
+    constants = {name: CONSTANTS[name] for name in ("I", "pi")}
+    printed = {name: str(symbol.args[2]) for name, (symbol, _) in {**constants, **scope.letters}.items()}
+    found = Spellings({tuple(signs(shown)): (name, shown) for name, shown in printed.items()})
     for name in filter(str.isidentifier, (*scope.letters, *scope.abbreviations)):
         stem, below, rest = latex_of(name).partition("_")
         for font in FONTS:
@@ -78,22 +106,13 @@ def spellings(scope: Scope) -> Spellings:
     return found
 
 
-def name_at(given: list[str], at: int, known: Spellings) -> tuple[str, ...]:
-    """Return the signs of the name that stands at a place of a formula; none if there is no name."""
-    for size in range(max(map(len, known), default=0), 0, -1):
-        way = tuple(given[at : at + size])
-        if way in known and given[at + size : at + size + 1] != ["_"]:
-            return way
-    return ()
-
-
 def ways(formulas: Iterable[str], known: Spellings) -> dict[str, set[tuple[str, ...]]]:
     """Return how each name is printed in formulas."""
     found: dict[str, set[tuple[str, ...]]] = {}
-    for given in map(signs, formulas):
+    for given in (signs(formula) for formula in formulas if len(formula) <= CHARACTERS_MAX):
         at, before = 0, ""
         while at < len(given):
-            way = name_at(given, at, known)
+            way = known.at(given, at)
             if way and not (before.startswith("\\") and before not in PLAIN):
                 found.setdefault(known[way][0], set()).add(way)
             at += len(way) or 1
@@ -103,9 +122,9 @@ def ways(formulas: Iterable[str], known: Spellings) -> dict[str, set[tuple[str, 
 
 def proposed(formula: str, scope: Scope, known: Spellings) -> str:
     """Return the claim of a formula, or raise NotReadError."""
+    if len(formula) > CHARACTERS_MAX:
+        raise NotReadError(f"a formula of {len(formula)} characters, and {CHARACTERS_MAX} are the most")
     given = signs(formula)
-    if len(given) > SIGNS_MAX:
-        raise NotReadError(f"a formula of {len(given)} signs, and {SIGNS_MAX} are the most")
     try:
         text = _Reader(given, scope, known).relation()
     except RecursionError:
@@ -208,7 +227,7 @@ class _Reader:
 
     def is_matrix(self) -> bool:
         """Return whether the next factor is surely no part of a number."""
-        name, _ = self.known.get(name_at(self.given, self.at, self.known), ("", ""))
+        name, _ = self.known.get(self.known.at(self.given, self.at), ("", ""))
         return self.next == r"\tilde" or (name in self.scope.letters and not is_number(self.scope.letters[name][1]))
 
     def argument(self) -> str:
@@ -245,7 +264,7 @@ class _Reader:
 
     def name(self) -> str:
         """Read a letter, a constant or a call of a definition; nothing if no such name stands here."""
-        way = name_at(self.given, self.at, self.known)
+        way = self.known.at(self.given, self.at)
         if not way:
             return ""
         self.at += len(way)

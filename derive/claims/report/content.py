@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from shlex import quote
 from typing import Protocol
 
 from ... import about
@@ -188,7 +189,7 @@ def subject(result: Result) -> str:
 def command(result: Result) -> str:
     """Return the command that prints the entry with its counterexample."""
     if result.paper not in about.PAPERS:
-        return f"dualcay verify {result.equation.source} --eq {result.equation.number}"
+        return f"dualcay verify {quote(result.equation.source)} --eq {quote(result.equation.number)}"
     return f"dualcay verify --paper {result.paper} --eq {result.equation.number}"
 
 

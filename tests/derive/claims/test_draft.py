@@ -30,6 +30,7 @@ READ = {
     r"\operatorname{tr}(A) \neq \det A": "trace(A) != det(A)", "b^12 = b": "b**1*2 == b",
     r"G(v, w)\, n = \sqrt{b^2}\, G(w, v)\, n": "G(v, w)*n == sqrt(b**2)*G(w, v)*n",
     r"2\,\sin a\cos b\; v\times w = 0": "2*sin(a)*cos(b)*cross(v, w) == 0",
+    r"a &= b \\ &\; + c \\ &= c": "a == b + c == c",
     r"-a b + c = c - b a": "-(a*b) + c == c - b*a", r"\hat q\,\hat{q}^{*} = 1": "q*conjugate(q) == 1",
 }  # fmt: skip
 NOT_READ = {
@@ -40,7 +41,9 @@ NOT_READ = {
     r"R = \begin{bmatrix} 1 \end{bmatrix}": r"\begin", r"a =": "the end", "= a": "=", "a + b": "the end", "}": "}",
     r"\frac": "the end", r"v w = b": "read as", r"a \times b = c": "read as", r"e^{a} = b": "e",
     r"G v = w": "v", r"\mathbf A = \mathrm{A}": r"\mathbf",
-    "a" + "b" * 2000 + "= c": "a formula of", "(" * 990 + "a": "too many",
+    "a" + "b" * 4000 + "= c": "a formula of", "(" * 990 + "a": "too many",
+    "a &= b & c &= b": "&", r"a &= b \\ c &= b": r"\\", "a &= b & -c &= b": "&",
+    r"a \cdot v = b": "read as", r"b \varepsilon = c": r"\varepsilon",
     r"α = b": "α", r"[v]_\times w = 0": "_", r"\int_0^1 b = c": r"\int", r"\text{so } a = b": r"\text",
 }  # fmt: skip
 
