@@ -39,6 +39,9 @@ FUNCTIONS = {
 """Calls by the sign that the printer puts before their argument."""
 
 
+REACH = "brackets show how far a sign reaches"
+
+
 class NotReadError(ValueError):
     """Error for a formula that is not read: the first sign that is not understood, and why."""
 
@@ -177,16 +180,17 @@ class _Reader:
         return text
 
     def product(self, inside: str) -> str:
-        factors = [self.factor()]
-        while self.next not in (*RELATIONS, *"+-)]},", inside, "the end"):
-            if sign := self.taken(PRODUCTS):
-                if not all(map(self.is_number, factors[:-1])):
-                    raise self.fail("brackets show how far a product reaches")
-                factors[-1] = f"{PRODUCTS[sign]}({factors[-1]}, {self.factor()})"
-                if self.next not in (*RELATIONS, *"+-)]},", inside, "the end"):
-                    raise self.fail("brackets show how far a product reaches")
-            else:
+        factors, ends = [self.factor()], (*RELATIONS, *"+-)]},", inside, "the end")
+        while self.next not in ends:
+            sign = self.taken(PRODUCTS)
+            if not sign:
                 factors.append(self.factor())
+                continue
+            if not all(map(self.is_number, factors[:-1])):
+                raise self.fail(REACH)
+            factors[-1] = f"{PRODUCTS[sign]}({factors[-1]}, {self.factor()})"
+            if self.next not in ends:
+                raise self.fail(REACH)
         return factors[0] if len(factors) == 1 else f"({'*'.join(factors)})"
 
     def is_number(self, text: str) -> bool:
@@ -212,17 +216,16 @@ class _Reader:
     def function(self, sign: str) -> str:
         """Read the argument of a function: a group, or one factor after which it is clear that it ends."""
         call = FUNCTIONS[sign]
-        if self.next in "([{":
-            text = f"{call}({self.base()})"
-            if self.next == "^":
-                raise self.fail("brackets show what is raised to a power")
-            return text
-        if self.next in FUNCTIONS or self.next == "^":
-            raise self.fail(f"brackets show how far {sign} reaches")
-        text = f"{call}({self.factor()})"
-        ends = self.next in (*RELATIONS, *PRODUCTS, *"+-)]}|,", *FUNCTIONS, "the end")
-        if not ends and (OPERATIONS[call].takes != ("number",) or not self.is_matrix()):
-            raise self.fail(f"brackets show how far {sign} reaches")
+        if self.next in "([":
+            text, unclear = f"{call}({self.base()})", self.next == "^"
+        elif self.next in FUNCTIONS or self.next == "^":
+            raise self.fail(REACH)
+        else:
+            text = f"{call}({self.factor()})"
+            ends = self.next in (*RELATIONS, *PRODUCTS, *"+-)]}|,", *FUNCTIONS, "the end")
+            unclear = not ends and (OPERATIONS[call].takes != ("number",) or not self.is_matrix())
+        if unclear:
+            raise self.fail(REACH)
         return text
 
     def is_matrix(self) -> bool:
@@ -257,7 +260,7 @@ class _Reader:
             return f"sqrt({self.argument()})"
         if sign := self.taken(ACCENTS):
             return f"{ACCENTS[sign]}({self.argument()})"
-        if self.next in CLOSING:
+        if self.next in CLOSING and self.next != "{":  # braces are not seen, so they group nothing
             return f"norm({self.group()})" if self.next == "|" else f"({self.group()})"
         is_letter = self.next.lstrip("\\") in GREEK or (len(self.next) == 1 and self.next.isalpha())
         raise self.fail("no declared letter, or one that is printed in several ways" if is_letter else "")

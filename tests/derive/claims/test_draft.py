@@ -42,7 +42,8 @@ NOT_READ = {
     r"\frac": "the end", r"v w = b": "read as", r"a \times b = c": "read as", r"e^{a} = b": "e",
     r"G v = w": "v", r"\mathbf A = \mathrm{A}": r"\mathbf",
     "a" + "b" * 4000 + "= c": "a formula of", "(" * 990 + "a": "too many",
-    "a &= b & c &= b": "&", r"a &= b \\ c &= b": r"\\", "a &= b & -c &= b": "&",
+    "{a + b} c = c": "{", r"\sin{2a} = b": "{", "a &= b & c &= b": "&",
+    r"a &= b \\ c &= b": r"\\", "a &= b & -c &= b": "&",
     r"a \cdot v = b": "read as", r"b \varepsilon = c": r"\varepsilon",
     r"α = b": "α", r"[v]_\times w = 0": "_", r"\int_0^1 b = c": r"\int", r"\text{so } a = b": r"\text",
 }  # fmt: skip
