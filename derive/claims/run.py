@@ -188,7 +188,9 @@ def _serve() -> None:
     while True:
         request, place, seconds = requests.get()
         limit(seconds)
-        sheet = sheets.setdefault(repr(request), Sheet.made(request))
+        if (known := repr(request)) not in sheets:
+            sheets[known] = Sheet.made(request)
+        sheet = sheets[known]
         slug, entry = sheet.slug, sheet.entries()[place]
 
         told: list[Result] = []
