@@ -67,6 +67,9 @@ def _sweep() -> None:
                     os.close(handle)
 
 
+ALONE = sys.platform == "emscripten"
+"""Whether the system starts neither threads nor processes, as in a browser."""
+
 PROCESSES_MAX = 61
 """Largest number of processes in a pool on Windows."""
 
