@@ -36,7 +36,11 @@ def decide_each(
     A process that is `ALONE` decides them itself, without a limit.
     """
     if ALONE:
-        return [found_here(sheet, place) for sheet, place in items]
+        alone = []
+        for sheet, place in items:
+            alone.append(found_here(sheet, place))
+            step(f"equation {sheet.entries()[place].number}")
+        return alone
     stop, idle = threading.Event(), queue.SimpleQueue[_Worker]()
     crew = [_Worker(stop) for _ in range(min(cores(), len(items)))]
     for worker in crew:
