@@ -6,7 +6,6 @@
 from __future__ import annotations
 
 import warnings
-from collections.abc import Callable
 from dataclasses import dataclass
 from math import pi
 from typing import Any
@@ -21,7 +20,7 @@ from ._motion import OfModule
 
 KINDS, BOUNDARIES, FRAMES = ("interpolating", "bspline"), ("natural", "clamped", "periodic"), ("space", "body")
 
-BLOCK = 8192
+BLOCK = 4096
 """Number of times computed at once, whose values fit into the cache."""
 
 NEAR = 0.95 * pi
@@ -203,48 +202,37 @@ class PoseSpline(OfModule):
         """
         if order not in (0, 1, 2):
             raise ValueError(f"order must be 0, 1 or 2, got {order!r}")
-        rate = self.module.body_rate if order == 1 else self.module.body_rate_dot
-
-        def values(curve: Curve, times: Array) -> Array:
-            factors = curve.factors(times, order)
-            v = curve.group.vector(curve.poses(factors))
-            return np.asarray(rate(v, *curve.twists(factors))) if order else v
-
-        return self._over(t, values)
+        return self._values(("v", "v_dot", "v_ddot")[order], t)
 
     def pose(self, t: ArrayLike) -> Array:
         """Return the poses, shape (..., 4, 4), at times of shape (...); rotations (..., 3, 3)."""
-        return self._over(t, lambda curve, times: curve.poses(curve.factors(times, 0)))
+        return self._values("pose", t)
 
     def twist(self, t: ArrayLike, frame: str = "space") -> Array:
         """Return the twists [ω, v], shape (..., 6), at times of shape (...), in the frame "space" or "body"."""
-        return self._motion(t, frame, 1)
+        return self._values("twist", t, frame)
 
     def acceleration(self, t: ArrayLike, frame: str = "space") -> Array:
         """Return the time derivatives of the twists in a frame, shape (..., 6), at times of shape (...).
 
         The one in space is the one of the body, carried by the pose.
         """
-        return self._motion(t, frame, 2)
+        return self._values("acceleration", t, frame)
 
     def jacobians(self, t: ArrayLike) -> SplineJacobians:
         """Return the derivatives of pose, body twist and body acceleration by four control poses at each time."""
         times, shape = self._times(t)
-        factors = self._curve.factors(times, 2)
-        index = factors[0][:, None] + np.arange(4)
+        index, *parts = self._curve.jacobians(times)
         if self.period is not None:
             index = (index - 1) % len(self.controls)
-        parts = (index, *self._curve.jacobians(factors))
-        return SplineJacobians(*(part.reshape(*shape, *part.shape[1:]) for part in parts))
+        return SplineJacobians(*(part.reshape(*shape, *part.shape[1:]) for part in (index, *parts)))
 
-    def _motion(self, t: ArrayLike, frame: str, order: int) -> Array:
+    def _values(self, name: str, t: ArrayLike, frame: str = "space") -> Array:
+        """Return a quantity at times of any shape, block by block."""
         require_one_of("frame", frame, FRAMES)
-        return self._over(t, lambda curve, times: curve.twists(curve.factors(times, order), frame)[-1])
-
-    def _over(self, t: ArrayLike, values: Callable[[Curve, Array], Array]) -> Array:
-        """Return values at times of any shape, block by block."""
-        times, shape = self._times(t)
-        found = np.concatenate([values(self._curve, times[i : i + BLOCK]) for i in range(0, max(1, len(times)), BLOCK)])
+        (times, shape), name = self._times(t), f"body_{name}" if frame == "body" else name
+        blocks = [self._curve.values(name, times[i : i + BLOCK]) for i in range(0, max(1, len(times)), BLOCK)]
+        found = np.concatenate(blocks)
         return found.reshape(*shape, *found.shape[1:])
 
     def _times(self, t: ArrayLike) -> tuple[Array, tuple[int, ...]]:
