@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import copy
+import functools
 import importlib
 import pickle
 import warnings
@@ -11,12 +12,17 @@ from typing import Any
 
 import numpy as np
 import pytest
+import sympy
+from mpmath import mp
 from scipy.interpolate import BSpline, CubicSpline
 
 import dualcay
-from dualcay import PoseSpline, cayley1, cayley2, exponential, propagate
+from derive.proof import spline_theorems
+from dualcay import PoseSpline, SplineJacobians, cayley1, cayley2, exponential, propagate
+from dualcay._curve import Curve, Group
+from dualcay._factors import programs
 from dualcay.rotation import cayley2 as rotations
-from tests.support import thorough
+from tests.support import families, thorough
 
 Function = Callable[[np.ndarray], np.ndarray]
 
@@ -58,6 +64,10 @@ def made(name: str, row: tuple[str, str]) -> tuple[Any, np.ndarray, PoseSpline]:
     module = importlib.import_module(f"dualcay.{name}")
     given = poses(size_of(module))
     return module, given, spline(module, row, given)
+
+
+def blocks_of(J: SplineJacobians) -> tuple[np.ndarray, ...]:
+    return J.pose, J.twist, J.acceleration
 
 
 def derivative(function: Function, t: np.ndarray) -> np.ndarray:
@@ -122,33 +132,82 @@ def test_twist_acceleration_and_rates_are_derivatives(name: str, row: tuple[str,
 
 @TABLE
 def test_jacobians_are_derivatives_by_the_control_poses(name: str, row: tuple[str, str]) -> None:
+    """Move all control poses in one random direction."""
     module, _, found = made(name, row)
     n, t = size_of(module), np.array([0.1, 2.0, 5.3])
     again = {"kind": "bspline", "boundary": "periodic" if row[1] == "periodic" else "natural"}
     np.testing.assert_array_equal(PoseSpline(module, found.knots, found.controls, **again).pose(t), found.pose(t))
-    jacobians, flat = found.jacobians(t), exponential if n == 6 else dualcay.rotation.exponential
+    flat, steps = exponential if n == 6 else dualcay.rotation.exponential, np.random.default_rng(4).normal(size=(9, n))
+    matrix, vector = (flat.pose, flat.from_pose) if n == 6 else (flat.tensor, flat.from_tensor)
 
-    def moved(k: int, part: int) -> np.ndarray:
-        """Return pose step, body twist and body acceleration by five-point differences."""
+    def moved(s: np.ndarray) -> np.ndarray:
+        """Return pose step, body twist and body acceleration."""
+        controls = found.controls @ matrix(s * steps[: len(found.controls)])
+        curve = PoseSpline(module, found.knots, controls, **again)
+        own = vector(np.linalg.inv(found.pose(t)) @ curve.pose(t))
+        return np.stack([own, curve.twist(t, "body"), curve.acceleration(t, "body")])
 
-        def at(s: np.ndarray) -> np.ndarray:
-            controls = found.controls.copy()
-            step = flat.pose if n == 6 else flat.tensor
-            controls[k] = controls[k] @ step(s[0] * np.eye(n)[part])
-            curve = PoseSpline(module, found.knots, controls, **again)
-            own = np.linalg.inv(found.pose(t)) @ curve.pose(t)
-            turn = (flat.from_pose if n == 6 else flat.from_tensor)(own)
-            return np.stack([turn, curve.twist(t, "body"), curve.acceleration(t, "body")])
+    J = found.jacobians(t)
+    for blocks, wanted in zip(blocks_of(J), derivative(moved, np.zeros(1)), strict=True):
+        close(np.einsum("tkij,tkj->ti", blocks, steps[J.index]), wanted, DIFFERENCE)
 
-        return derivative(at, np.zeros(1))
 
-    dense = np.zeros((3, len(t), n, len(found.controls), n))
-    for kind, blocks in enumerate((jacobians.pose, jacobians.twist, jacobians.acceleration)):
-        for m in range(4):  # a closed curve of few poses may depend on one of them twice
-            dense[kind, np.arange(len(t)), :, jacobians.index[:, m]] += blocks[:, m]
-    wanted = np.array([[moved(k, part) for part in range(n)] for k in range(len(found.controls))])
-    for kind in range(3):
-        close(dense[kind], np.moveaxis(wanted[:, :, kind], (0, 1), (2, 3)), DIFFERENCE)
+@pytest.mark.parametrize("angle", [0, 1e-9, 1e-4, 0.9])
+@pytest.mark.parametrize("name", NAMES[:6])
+def test_motion_and_jacobians_agree_with_50_digits(name: str, angle: float) -> None:
+    """Compare one span with the oracle; its differences by steps of 1e-10 have errors near 1e-20."""
+    oracle, module, h = families.oracle_of(name, 60), importlib.import_module(f"dualcay.{name}"), mp.mpf(2) ** -33
+    knots, t = [-3.0, -1.5, -1, 0, 1.5, 2, 3, 3.5], 0.7
+    rng = np.random.default_rng(8)
+    v, steps = module.random(4, max_angle=angle, rng=rng), rng.normal(size=(4, 6))
+
+    def part(k: int, time: Any) -> Any:
+        """Return λ by cubes of distances from knots, as the theorem on parts has them."""
+        near = [mp.mpf(knot) for knot in knots[k : k + 4]]
+        return sum(max(time - a, 0) ** 3 / mp.fprod(b - a for b in near if b != a) for a in near)
+
+    def motion(s: Any) -> list[np.ndarray]:
+        """Return the vector, body twist and body acceleration after steps s of the control poses."""
+        moved = [oracle.body_retract(one, s * step) for one, step in zip(v, steps)]
+        d = [oracle.between(*pair) for pair in zip(moved[1:], moved)]
+
+        def at(time: Any) -> np.ndarray:
+            factors = (part(k, time) * one for k, one in enumerate(d, 1))
+            return functools.reduce(oracle.compose, factors, moved[0])
+
+        here = at(mp.mpf(t))
+        ahead, back = (oracle.body_local(at(t + side * h), here) for side in (1, -1))
+        return [here, (ahead - back) / (2 * h), (ahead + back) / h**2]
+
+    with mp.workdps(60):
+        there, ahead, back = motion(0), motion(h), motion(-h)
+        differences = oracle.body_local(ahead[0], back[0]), *(a - b for a, b in zip(ahead[1:], back[1:], strict=True))
+        slopes = [difference / (2 * h) for difference in differences]
+    spline = PoseSpline(module, knots, v, kind="bspline")
+    J = spline.jacobians(t)
+    for found, wanted in (
+        (spline.twist(t, "body"), there[1]), (spline.acceleration(t, "body"), there[2]),
+        *((np.einsum("kij,kj->i", *pair), slope) for *pair, slope in zip(blocks_of(J), [steps] * 3, slopes)),
+    ):  # fmt: skip
+        close(found, wanted.astype(float), 1e3 * EPS)
+
+
+def test_parts_are_those_of_the_theorem() -> None:
+    """Build the data of a span with symbols as knots; the theorem states that its parts are C²."""
+    knots, t = sympy.symbols("k:8"), sympy.Symbol("t")
+    empty = np.zeros((4, 6), object)
+    (row,) = Curve(Group(cayley2), np.array(knots), np.eye(4)[None].repeat(4, 0).astype(object), empty[1:]).spans
+    for k, piece in zip((2, 1, 0), spline_theorems.pieces()):
+        there = piece.subs(zip(spline_theorems.KNOTS, knots[k + 1 : k + 5]), simultaneous=True)
+        polynomial = sum(c * (row[0] * (t - knots[3])) ** power for power, c in enumerate(row[1 + 4 * k : 5 + 4 * k]))
+        assert sympy.cancel(polynomial - there) == 0
+
+
+def test_a_curve_costs_as_many_operations_as_its_formulas() -> None:
+    """Count calls of NumPy a time, which rule its cost, and rows of memory."""
+    for name, calls, rows in (("pose", 424, 40), ("body_acceleration", 1015, 64), ("v_ddot", 1464, 64)):
+        program = programs(cayley2.CHART).recorded(f"spline_{name}", np.dtype(float), 0)
+        assert (sum(len(functions) for functions, _ in program.runs) <= calls, program.scratch <= rows) == (True, True)
 
 
 @TABLE
