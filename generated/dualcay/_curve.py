@@ -5,7 +5,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from math import comb
@@ -13,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from ._factors import COEFFICIENTS, bracket, programs, shares
+from ._factors import COEFFICIENTS, STEPS, bracket, programs, shares
 from ._kernel import Array
 from ._motion import OfModule
 from ._runtime import call
@@ -113,6 +112,13 @@ class Curve:
         span = np.clip(np.searchsorted(self.breaks, t, side="right") - 1, 0, len(self.breaks) - 2)
         return span, (t - self.breaks[span]) / np.diff(self.breaks)[span]
 
+    def parts(self, t: Array) -> tuple[Array, Array]:
+        """Return control poses of times (T, 4), and λ, λ̇, λ̈ of three factors, shape (3, T, 3)."""
+        span, share = self.place(t)
+        coefficients = self.spans[span, COEFFICIENTS:STEPS].reshape(-1, 3, 4)
+        parts = shares(share[:, None], self.spans[span, :1], [*np.moveaxis(coefficients, -1, 0)])
+        return span[:, None] + np.arange(4), np.array(parts)
+
     def values(self, name: str, t: Array) -> Array:
         """Return a quantity of `ORDERS` at times (T,)."""
         span, share = self.place(t)
@@ -132,21 +138,20 @@ class Curve:
 
         A factor A takes a step ε to A⁻¹ ε A and adds G δd.
         """
-        (span, share), size = self.place(t), self.group.size
+        (index, parts), size = self.parts(t), self.group.size
         found = [np.zeros((len(t), size, 4 * size)) for _ in range(order + 1)]
         found[0][:, :, :size] = np.eye(size)
         for k in range(3):
-            coefficients = self.spans[span, COEFFICIENTS + 4 * k : COEFFICIENTS + 4 * k + 4].T[..., None]
-            parts = shares(share[:, None], self.spans[span, :1], [*coefficients])
-            back, gains = self._factor(self.steps[span + k], parts[: order + 1])
+            row = index[:, k]
+            back, gains = self._factor(self.steps[row], parts[: order + 1, :, k, None])
             terms = [[comb(n, i) * back[i] @ found[n - i] for i in range(n + 1)] for n in range(order + 1)]
             found = [np.sum(one, axis=0) for one in terms]
             for one, gain in zip(found, gains):
                 for place, slope in enumerate(self.slopes, k):
-                    one[..., place * size : (place + 1) * size] += gain @ slope[span + k]
-        return [span[:, None] + np.arange(4), *found]
+                    one[..., place * size : (place + 1) * size] += gain @ slope[row]
+        return [index, *found]
 
-    def _factor(self, d: Array, parts: Sequence[Array]) -> tuple[list[Array], list[Array]]:
+    def _factor(self, d: Array, parts: Array) -> tuple[list[Array], list[Array]]:
         """Return the matrices of ε ↦ A⁻¹ ε A and of ``G = λ T(λd)``, and their time derivatives."""
         group, module, (part, *rates) = self.group, self.group.module, parts
         v, rate_of_v = part * d, [rate * d for rate in rates]

@@ -219,13 +219,24 @@ class PoseSpline(OfModule):
         """
         return self._values("acceleration", t, frame)
 
+    def parts(self, t: ArrayLike) -> tuple[Array, Array]:
+        """Return the rows (..., 4) of four control poses at each time, and λ, λ̇, λ̈ of three factors, (3, ..., 3).
+
+        From these a curve is computed again by other means, such as kernels that JAX differentiates.
+        """
+        times, shape = self._times(t)
+        index, parts = self._curve.parts(times)
+        return self._rows(index).reshape(*shape, 4), parts.reshape(3, *shape, 3)
+
     def jacobians(self, t: ArrayLike) -> SplineJacobians:
         """Return the derivatives of pose, body twist and body acceleration by four control poses at each time."""
         times, shape = self._times(t)
         index, *parts = self._curve.jacobians(times)
-        if self.period is not None:
-            index = (index - 1) % len(self.controls)
-        return SplineJacobians(*(part.reshape(*shape, *part.shape[1:]) for part in (index, *parts)))
+        return SplineJacobians(*(part.reshape(*shape, *part.shape[1:]) for part in (self._rows(index), *parts)))
+
+    def _rows(self, index: Array) -> Array:
+        """Return rows of ``controls``, which a closed curve repeats at both ends."""
+        return index if self.period is None else (index - 1) % len(self.controls)
 
     def _values(self, name: str, t: ArrayLike, frame: str = "space") -> Array:
         """Return a quantity at times of any shape, block by block."""
