@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -30,15 +31,16 @@ def section(sizes: tuple[int, ...] = SIZES, rounds: int = 7) -> str:
     """Measure matrices, twists and accelerations, and return the section with its table."""
     poses, real, theirs = curves(KNOTS)
     rows = []
+    quantities: dict[str, tuple[Callable[[Any], Any], ...]] = {
+        "pose": (poses.pose, real.pose, lambda t: theirs(t, 0).as_matrix()),
+        "twist": (poses.twist, real.twist, lambda t: theirs(t, 1)),
+        "acceleration": (poses.acceleration, real.acceleration, lambda t: theirs(t, 2)),
+        "v̈": (lambda t: poses(t, 2), lambda t: real(t, 2)),
+    }
     for size in sizes:
         t = np.random.default_rng(3).uniform(0, KNOTS - 1, size)
-        for name, calls in {
-            "pose": (lambda: poses.pose(t), lambda: real.pose(t), lambda: theirs(t, 0).as_matrix()),
-            "twist": (lambda: poses.twist(t), lambda: real.twist(t), lambda: theirs(t, 1)),
-            "acceleration": (lambda: poses.acceleration(t), lambda: real.acceleration(t), lambda: theirs(t, 2)),
-            "v̈": (lambda: poses(t, 2), lambda: real(t, 2), None),
-        }.items():
-            times = timing.medians([call for call in calls if call], rounds)
+        for name, functions in quantities.items():
+            times = timing.medians([partial(function, t) for function in functions], rounds)
             rows.append([name, f"{size:,}", *(f"{1e9 * seconds / size:,.0f}" for seconds in times), "–"][: len(HEAD)])
     return timing.markdown("Splines", HEAD, rows) + "\n" + (
         f"All curves pass {KNOTS} poses, or their rotations. A row gives the nanoseconds for each of some random times "

@@ -18,6 +18,9 @@ from ._tools import matrix6
 IMAGINARY = 1e-20
 """Imaginary step of the derivative of ``body_tangent_dot``, whose square is lost beside 1: exact within rounding."""
 
+BLOCK = 4096
+"""Number of times computed at once, whose values fit into the cache."""
+
 
 @dataclass(frozen=True)
 class Group(OfModule):
@@ -87,7 +90,7 @@ class Curve:
 
     @cached_property
     def spans(self) -> Array:
-        """Rows with the data of a span: 1/length, coefficients of three parts λ by powers, three steps, control pose.
+        """Columns of data of a span: 1/length, coefficients of three parts λ by powers, three steps, control pose.
 
         A part λ is a sum of cubic B-splines of the share u of the span that has passed. Its slope is 3 Q/s with a
         quadratic B-spline Q and the length s of its knots.
@@ -100,9 +103,8 @@ class Curve:
         rows = [1 / h]
         for start, length, slope in zip(starts, (d - a, e - b, f - c), quadratic):
             rows += [start, *(3 * h / length * part / k for k, part in enumerate(slope, 1))]
-        steps = (self.steps[k : len(self.steps) - 2 + k] for k in range(3))
-        controls = self.controls[: len(h), :3].reshape(len(h), -1)
-        return np.concatenate([np.stack(rows, axis=-1), *steps, controls], axis=1)
+        steps = (self.steps[k : len(self.steps) - 2 + k].T for k in range(3))
+        return np.concatenate([rows, *steps, self.controls[: len(h), :3].reshape(len(h), -1).T])
 
     def place(self, t: Array) -> tuple[Array, Array]:
         """Return the spans of times, and the share of the span that has passed."""
@@ -112,15 +114,21 @@ class Curve:
     def parts(self, t: Array) -> tuple[Array, Array]:
         """Return control poses of times (T, 4), and λ, λ̇, λ̈ of three factors, shape (3, T, 3)."""
         span, share = self.place(t)
-        coefficients = self.spans[span, COEFFICIENTS:STEPS].reshape(-1, 3, 4)
-        parts = shares(share[:, None], self.spans[span, :1], [*np.moveaxis(coefficients, -1, 0)])
-        return span[:, None] + np.arange(4), np.array(parts)
+        coefficients = self.spans[COEFFICIENTS:STEPS, span].reshape(3, 4, -1).swapaxes(0, 1)
+        parts = shares(share, self.spans[0, span], [*coefficients])
+        return span[:, None] + np.arange(4), np.array(parts).swapaxes(1, 2)
 
     def values(self, name: str, t: Array) -> Array:
-        """Return a quantity of `ORDERS` at times (T,)."""
-        span, share = self.place(t)
-        chart = programs(self.group.module.CHART)
-        return np.asarray(call(chart, f"spline_{name}", -1, None, share, self.spans[span]))
+        """Return a quantity of `ORDERS` at times (T,), block by block in the same memory."""
+        chart, name = programs(self.group.module.CHART), f"spline_{name}"
+        found = np.empty((len(t), *chart.kernels[name].shape))
+        rows = np.empty((len(self.spans), min(len(t), BLOCK)))
+        for start in range(0, len(t), BLOCK):
+            block = slice(start, start + BLOCK)
+            span, share = self.place(t[block])
+            data = np.take(self.spans, span, axis=1, out=rows[:, : len(span)], mode="clip")
+            call(chart, name, 0, np.moveaxis(found[block], 0, -1), share, data)
+        return found
 
     def jacobians(self, t: Array) -> list[Array]:
         """Return control poses (T, 4), and derivatives (T, 4, size, size) of pose, body twist and its derivative."""

@@ -17,9 +17,6 @@ from ._motion import OfModule
 
 KINDS, BOUNDARIES, FRAMES = ("interpolating", "bspline"), ("natural", "clamped", "periodic"), ("space", "body")
 
-BLOCK = 4096
-"""Number of times computed at once, whose values fit into the cache."""
-
 NEAR = 0.95 * pi
 """Rotation angle between neighbouring poses above which noise of some degrees may change the way round."""
 
@@ -236,11 +233,10 @@ class PoseSpline(OfModule):
         return index if self.period is None else (index - 1) % len(self.controls)
 
     def _values(self, name: str, t: ArrayLike, frame: str = "space") -> Array:
-        """Return a quantity at times of any shape, block by block."""
+        """Return a quantity at times of any shape."""
         require_one_of("frame", frame, FRAMES)
-        (times, shape), name = self._times(t), f"body_{name}" if frame == "body" else name
-        blocks = [self._curve.values(name, times[i : i + BLOCK]) for i in range(0, max(1, len(times)), BLOCK)]
-        found = np.concatenate(blocks)
+        times, shape = self._times(t)
+        found = self._curve.values(f"body_{name}" if frame == "body" else name, times)
         return found.reshape(*shape, *found.shape[1:])
 
     def _times(self, t: ArrayLike) -> tuple[Array, tuple[int, ...]]:
