@@ -28,6 +28,10 @@ class Group(OfModule):
 
     module: Any
 
+    def __post_init__(self) -> None:
+        if not hasattr(self.module, "from_exponential"):
+            raise TypeError(f"module must be a kernel module, as cayley2 is, got {self.module!r}")
+
     @cached_property
     def size(self) -> int:
         return len(self.module.identity())
@@ -171,6 +175,22 @@ class Curve:
             part, rate, change = (one[..., None] for one in parts)
             gains += [rate * (T + part * T_dot), change * (T + part * T_dot) + rate**2 * (2 * T_dot + part * curved)]
         return back, gains
+
+
+def of_controls(group: Group, t: Array, controls: Array, period: float | None) -> Curve:
+    """Return the curve with given control poses."""
+    count = len(controls)
+    if period is not None:
+        if len(t) != count + 1:
+            raise ValueError(f"t must have {count + 1} knots for a closed curve of {count} control poses, got {len(t)}")
+        knots, controls = around(t), controls[np.arange(-1, count + 2) % count]
+    elif count >= 4 and len(t) in (count - 2, count):
+        knots = clamped(t if len(t) < count else np.delete(t, [1, -2]))
+    elif count >= 4 and len(t) == count + 4:
+        knots = t
+    else:
+        raise ValueError(f"t must have N, N - 2 or N + 4 knots for N ≥ 4 control poses, got {len(t)} for {count}")
+    return Curve(group, knots, controls, group.steps(controls))
 
 
 def clamped(t: Array) -> Array:

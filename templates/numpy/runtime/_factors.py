@@ -48,27 +48,32 @@ def evaluated(
 ) -> Result:
     """Return a quantity where a share of a span has passed.
 
-    Twist and step of a factor have one screw, so its twist is equal in both of its frames.
+    Twist and step of a factor have one screw, so its twist is equal in both of its frames. The inverse of a product has
+    the twists of the body as its own in space, with the opposite sign.
     """
     order, (u,), (matrix, vector) = ORDERS[name], share, POSES if size == 6 else ROTATIONS
+    side = 1 if name in ("pose", "v", "twist", "acceleration") else -1
 
     def moving(k: int) -> Motion:
         d = span[STEPS + k * size : STEPS + (k + 1) * size]
-        part, rate, change = shares(u, span[0], span[COEFFICIENTS + 4 * k : COEFFICIENTS + 4 * k + 4])
+        coefficients = span[COEFFICIENTS + 4 * k : COEFFICIENTS + 4 * k + 4]
+        part, rate, change = (side * one for one in shares(u, span[0], coefficients))
         v, zeros = [part * one for one in d], [0] * (6 - size)
         along = screw_twist(m, c, [*v, *zeros], [*d, *zeros]) if order else ()
         twist, slope = along[:size], along[6 : 6 + size]
         twists = [rate * w for w in twist], [change * w + rate * rate * x for w, x in zip(twist, slope)]
         return rows_of(kernels[matrix].plain(m, c, v)), [*twists[:order]]
 
-    X, twists = reduce(composed, map(moving, range(3)))
-    start = rows_of(span[STEPS + 3 * size :])
-    if name.endswith(("twist", "acceleration")):
-        return tuple(carried(inverse(X) if name.startswith("body") else start, twists[-1]))
-    pose = [*chain(*product(start, X)), *(0, 0, 0, 1)[: 4 * (size == 6)]]
+    (X, twists), start = reduce(composed, map(moving, range(3)[::side])), rows_of(span[STEPS + 3 * size :])
+    if name in ("twist", "acceleration"):
+        return tuple(carried(start, twists[-1]))
+    body = [[-one for one in w] for w in twists]
+    if name.startswith("body"):
+        return tuple(body[-1])
+    pose = [*chain(*product(start, X if side > 0 else inverse(X))), *(0, 0, 0, 1)[: 4 * (size == 6)]]
     if name == "pose":
         return tuple(pose)
-    v, body = kernels[vector].plain(m, c, pose), [carried(inverse(X), w) for w in twists]
+    v = kernels[vector].plain(m, c, pose)
     rate, table = (("principal", ()), ("rate", (-1, -0.5)), ("rate_dot", (-1,)))[order]
     return kernels[rate].plain(m, c, v, *body, table) if order else v
 

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ._arguments import finite, increasing, require_one_of
-from ._curve import Curve, Group, around, clamped
+from ._curve import Group, of_controls
 from ._kernel import Array
 from ._motion import OfModule
 
@@ -98,7 +98,7 @@ class PoseSpline(OfModule):
         self, module: Any, t: ArrayLike, poses_or_v: ArrayLike, *, kind: str = "interpolating",
         boundary: str = "natural", axis: int = 0, twists: ArrayLike | None = None,
     ) -> None:  # fmt: skip
-        group = _group(module)
+        group = Group(module)
         require_one_of("kind", kind, KINDS)
         require_one_of("boundary", boundary, BOUNDARIES)
         if twists is not None and boundary != "clamped":
@@ -109,7 +109,7 @@ class PoseSpline(OfModule):
         poses = neighbours(group, poses_or_v, axis, None if kind == "bspline" else len(times))
         self.module, self.period = module, times[-1] - times[0] if boundary == "periodic" else None
         if kind == "bspline":
-            self._curve = _given(group, times, poses, self.period)
+            self._curve = of_controls(group, times, poses, self.period)
         else:
             ends = None if twists is None else finite("twists", twists, (2, group.size), rows=True)
             self._curve = _solver().interpolating(group, times, poses, boundary, ends)
@@ -155,7 +155,7 @@ class PoseSpline(OfModule):
         >>> bool(abs(spline.pose(t) - poses).max() < 5e-3)
         True
         """
-        group, times = _group(module), increasing("t", t)
+        group, times = Group(module), increasing("t", t)
         given = neighbours(group, poses, 0, len(times))
         weighed = np.ones(len(times)) if weights is None else np.asarray(weights)
         shape = (len(times), *[group.size] * (weighed.ndim == 2))
@@ -250,12 +250,6 @@ class PoseSpline(OfModule):
         return times.ravel(), times.shape
 
 
-def _group(module: Any) -> Group:
-    if not hasattr(module, "from_exponential"):
-        raise TypeError(f"module must be a kernel module, as cayley2 is, got {module!r}")
-    return Group(module)
-
-
 def _solver() -> Any:
     try:
         from . import _solving
@@ -298,19 +292,3 @@ def _passed(group: Group, v: Array) -> Array:
     onward = np.sum(w[1:] * w[:-1], axis=-1) >= 0
     far = abs(np.diff(np.linalg.norm(w, axis=-1))) > pi + ROUNDING
     return np.asarray(onward & (far | (np.sum(q[1:] * q[:-1], axis=-1) < -ROUNDING)))
-
-
-def _given(group: Group, t: Array, controls: Array, period: float | None) -> Curve:
-    """Return the curve with given control poses."""
-    count = len(controls)
-    if period is not None:
-        if len(t) != count + 1:
-            raise ValueError(f"t must have {count + 1} knots for a closed curve of {count} control poses, got {len(t)}")
-        knots, controls = around(t), controls[np.arange(-1, count + 2) % count]
-    elif count >= 4 and len(t) in (count - 2, count):
-        knots = clamped(t if len(t) < count else np.delete(t, [1, -2]))
-    elif count >= 4 and len(t) == count + 4:
-        knots = t
-    else:
-        raise ValueError(f"t must have N, N - 2 or N + 4 knots for N ≥ 4 control poses, got {len(t)} for {count}")
-    return Curve(group, knots, controls, group.steps(controls))
