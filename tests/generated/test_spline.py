@@ -249,20 +249,22 @@ def test_steps_near_half_a_turn_warn_and_others_do_not() -> None:
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         PoseSpline(exponential, T[:4], turn(0, 2.9, -2.9, 0))  # the shorter way back over half a turn
-    found = PoseSpline(exponential, T[:4], GOOD)
-    for t, frame, message in (
-        (9.0, "space", r"t must be in \[0, 2.9\], got 9"),
-        (1.0, "world", "frame must be one of"),
-    ):
-        with pytest.raises(ValueError, match=message):
-            found.twist(t, frame)
-    with pytest.raises(ValueError, match="order must be 0, 1 or 2"):
-        found(1.0, 3)
-    with pytest.raises(ValueError, match=r"fit needs more poses between t = 0 and 1, or fewer knots"):
-        PoseSpline.fit(exponential, [0, 1, 2, 3, 4], turn(0, 1, 2, 1, 0), [0, 0.5, 1, 1.5, 2, 4])
-    with pytest.raises(ValueError, match="weights must not be negative, got -1 in row 1"):
-        PoseSpline.fit(exponential, [0, 1, 2, 3], GOOD, [0, 3], [1, -1, 1, 1])
-    with pytest.raises(ValueError, match=r"t must be within the knots \[0, 2\], got row 3 outside"):
-        PoseSpline.fit(exponential, [0, 1, 2, 3], GOOD, [0, 2])
-    with pytest.raises(ArithmeticError, match="control poses would be too far apart"):
-        PoseSpline(cayley1, np.arange(6.0), exponential.pose(turn(0, 2.9, 0, 2.9, 0, 2.9)))
+
+
+FIT, SWING = PoseSpline.fit, exponential.pose(turn(0, 2.9, 0, 2.9, 0, 2.9))
+LATER: list[tuple[Callable[[PoseSpline], Any], type[Exception], str]] = [
+    (lambda found: found.twist(9.0), ValueError, r"t must be in \[0, 2.9\], got 9"),
+    (lambda found: found.twist(1.0, "world"), ValueError, "frame must be one of"),
+    (lambda found: found(1.0, 3), ValueError, "order must be 0, 1 or 2"),
+    (lambda _: FIT(exponential, np.arange(5), turn(0, 1, 2, 1, 0), [0, 0.5, 1, 1.5, 2, 4]), ValueError,
+     "fit needs more poses between t = 0 and 1, or fewer knots"),
+    (lambda _: FIT(exponential, np.arange(4), GOOD, [0, 3], [1, -1, 1, 1]), ValueError, "negative, got -1 in row 1"),
+    (lambda _: FIT(exponential, np.arange(4), GOOD, [0, 2]), ValueError, r"the knots \[0, 2\], got row 3 outside"),
+    (lambda _: PoseSpline(cayley1, np.arange(6.0), SWING), ArithmeticError, "control poses would be too far apart"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("call", "kind", "message"), LATER, ids=lambda one: one if isinstance(one, str) else "")
+def test_calls_and_fits_refuse_what_they_cannot_do(call: Any, kind: type[Exception], message: str) -> None:
+    with pytest.raises(kind, match=message):
+        call(PoseSpline(exponential, T[:4], GOOD))
