@@ -16,7 +16,6 @@ from derive.algebra.exact import AngleField
 from derive.algebra.functions import atan, atan2, cos, cot, expm1, log1p, namespace, sin, sqrt, tan
 
 A = Dual(mpmath.mpf("0.7"), mpmath.mpf("-1.3"))
-B = Dual(mpmath.mpf("0.2"), mpmath.mpf("2.1"))
 EPS = mpmath.mpf(10) ** -13
 
 

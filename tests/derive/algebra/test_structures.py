@@ -94,8 +94,6 @@ def test_mixed_structures_are_type_errors(operation, left, right) -> None:
 
 # --- products and sums of mixed kinds ---------------------------------------------------------------------------------
 
-A, B = Vector(1, 2, 3), Vector(-1, 0, 4)
-
 
 def test_a_tensor_is_no_quaternion() -> None:
     with pytest.raises(MeaninglessError, match="tensor"):
