@@ -28,7 +28,7 @@ ORDER = {
         "transcript", "sheet", "draft", "run", "report",
     ),
     "derive.claims.deciding": (
-        "terms", "place", "claim", "frames", "solved", "constrained", "singular", "zeros", "polar", "identity", "proof",
+        "terms", "place", "claim", "frames", "solved", "constrained", "singular", "zeros", "polar", "identity",
         "equal_sides", "uphill", "places", "conditions", "partial", "far", "signs", "existence", "ordering", "regions",
         "changes", "counterexample", "split", "finding",
     ),
