@@ -7,7 +7,7 @@ import sys
 from collections.abc import Iterator
 from pathlib import Path
 
-from benchmarks import kernels, maps, motion, native, page, plot, propagate, tables, times
+from benchmarks import kernels, maps, motion, native, page, plot, propagate, splines, tables, times
 from benchmarks.timing import allocator_is_fixed, fix_allocator
 from derive.output.files import put
 
@@ -38,7 +38,7 @@ def main() -> None:
             raise RuntimeError("malloc's thresholds are not fixed in this process")
         data = times.Data(times.commit(), times.versions(), list(measure())).with_missing(data)
         data.write(file)
-        kept |= {"motion": motion.section(), "propagate": propagate.section()}
+        kept |= {"motion": motion.section(), "propagate": propagate.section(), "splines": splines.section()}
     kept.pop("", None)
     plot.draw(data, output.with_suffix(".svg"))
     put(output, page.joined(page.head(data), kept | tables.sections(data)))

@@ -24,11 +24,11 @@ ORDER = {
         "codegen", "pages", "front", "cli", "__main__",
     ),
     "derive.claims": (
-        "numbers", "language", "extracted", "equation", "result", "deciding", "decide", "transcript", "sheet", "run",
-        "report",
+        "numbers", "language", "documents", "proposal", "extracted", "equation", "result", "deciding", "decide",
+        "transcript", "sheet", "draft", "run", "report",
     ),
     "derive.claims.deciding": (
-        "terms", "place", "claim", "frames", "solved", "constrained", "singular", "zeros", "polar", "identity", "proof",
+        "terms", "place", "claim", "frames", "solved", "constrained", "singular", "zeros", "polar", "identity",
         "equal_sides", "uphill", "places", "conditions", "partial", "far", "signs", "existence", "ordering", "regions",
         "changes", "counterexample", "split", "finding",
     ),

@@ -131,11 +131,6 @@ def _axis_past_quarter_turn(Q: Tensor, w: Vector, cosine: Coefficient) -> Vector
     return u
 
 
-def line_through(point: Vector, direction: Vector) -> Vector:
-    """Return the line through a point along a unit direction, ``a + ε p × a``."""
-    return Vector.dual(direction, point.cross(direction))
-
-
 def foot(line: Vector) -> Vector:
     """Return the point of the line that is nearest to the origin, ``a × a*``."""
     return line.re.cross(line.du)

@@ -121,6 +121,7 @@ class Residue(NamedTuple):
 Checks = Iterable[Check | Multiplier]
 """Checks of a statement, and the factors by which differences were multiplied."""
 
+
 @dataclass(frozen=True)
 class Proof(Typeset):
     """Outcome of deciding one statement."""

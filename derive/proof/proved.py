@@ -38,6 +38,7 @@ from .methods import decided
 from .phi_theorems import ANY_PHI
 from .scalars import ScalarProofs, instance
 from .setting import Setting, Symbols
+from .spline_theorems import SPLINES
 
 Names = Mapping[str, sympy.Expr]
 """Symbols and terms of theorems, by their spelling."""
@@ -183,7 +184,7 @@ _MADE_HERE = object()
 STATED = (*POLYNOMIAL_THEOREMS, *MAP_THEOREMS, *DISPLACEMENT_THEOREMS, *CALCULUS_THEOREMS, *TRANSPORT_THEOREMS)
 """Theorems for every n, each after the theorems it uses."""
 
-CLAIMS = (*STATED, *chain(*CLOSED_AT.values()), *ANY_PHI, *GROWING_ORDER)
+CLAIMS = (*STATED, *chain(*CLOSED_AT.values()), *ANY_PHI, *GROWING_ORDER, *SPLINES)
 """Theorems that are proved once instead of at each order."""
 
 

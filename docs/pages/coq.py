@@ -26,6 +26,7 @@ _SECOND = "second and third derivatives of the scalars are not stated in Coq"
 _SHARES = "ratios of a vector to its angle or quaternion are not stated in Coq"
 _VARIATION = "the variational equation; Coq takes the pose multiplied by a constant"
 _INVERSE = "closed forms of the inverse map are not stated in Coq"
+_SPLINES = "splines are not stated in Coq"
 _SHADOW = _whole("shadow change_of_chart", "the matrix S_k itself; that v_k moves so that the pose is kept")
 
 BY_COQ: Mapping[str, InCoq] = {
@@ -103,6 +104,8 @@ BY_COQ: Mapping[str, InCoq] = {
     "any phi: rate of the gain": InCoq(left_out=_SHARES),
     "growing order: angle": InCoq(left_out="a limit, to first order in 1/(2n)²"),
     "growing order: maps": InCoq(left_out="a limit, to first order in 1/(2n)²"),
+    "spline: parts are C2": InCoq(left_out=_SPLINES),
+    "spline: twist of a factor": InCoq(left_out=_SPLINES),
     "quaternion at n": _whole("cayley_sandwich"),
     "tensor at n": _whole("cayley_sandwich"),
     "orthogonality at n": _whole("cayley_orthogonal"),

@@ -11,13 +11,14 @@ from derive.pages.explain import ROWS
 from derive.pages.sheet import CLOSED, EVERY_PHI, MAPS_OF_ORDER, MOTION_OF_ORDER
 from derive.proof.identity import Premise, Proof
 from derive.proof.notation import latex
+from derive.proof.spline_theorems import SPLINES
 
 from .coq import in_coq
 
 HEAD = """# Theorems
 
-A theorem is an identity for every order n or every φ; the formulas of the kernels are its instances. The toolkit proves
-each one. Coq shares nothing with the toolkit; it proves the theorems of `proofs/`
+A theorem is an identity for every order n, for every φ or for splines with any knots; the formulas of the kernels are
+its instances. The toolkit proves each one. Coq shares nothing with the toolkit; it proves the theorems of `proofs/`
 over any commutative ring and for every n (`make machine-proofs`). The groups are those of the
 [formula sheet](sheet.md). An entry below has premises and method, and what Coq leaves out. Numbers are those of
 equations in CP23 (Condurache and Popa 2023). [Its facts](theorems.json) are there as JSON, too.
@@ -53,8 +54,11 @@ GROUPS = {
     "Orders 1 and 2": chain(*CLOSED.values()),
     "Every v = φ(α) u": chain(*EVERY_PHI.values()),
 }
-THEOREMS = {heading: tuple(dict.fromkeys(name for name, *_ in wanted)) for heading, wanted in GROUPS.items()}
-"""Names of theorems by the headings of the formula sheet."""
+THEOREMS = {
+    **{heading: tuple(dict.fromkeys(name for name, *_ in wanted)) for heading, wanted in GROUPS.items()},
+    "Splines": tuple(theorem.name for theorem in SPLINES),
+}
+"""Names of theorems by the headings of the formula sheet, and those on splines."""
 
 FUNCTIONS = {
     theorem: ", ".join(f"`{name}`" for names, covered in ROWS.items() if theorem in covered.theorems for name in names)

@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
+from ._arguments import require_one_of
 from ._branches import require_symmetric
 from ._kernel import Array
 from ._runtime import as_array
@@ -54,7 +55,7 @@ def compose_covariance(
     >>> np.sqrt(np.diag(P)).round(3)  # 0.01 rad moves the end sideways by 0.02
     array([0.  , 0.  , 0.01, 0.  , 0.02, 0.  ])
     """
-    if require_frame(frame) == "chart":
+    if require_one_of("frame", frame, FRAMES) == "chart":
         jacobians = module.compose_jacobians(v2, v1)
     elif frame == "space":
         jacobians = _identity(module, v1), module.adjoint(v2)
@@ -79,7 +80,7 @@ def between_covariance(
     >>> np.allclose(between_covariance(cayley2, v, v, P, P, P), 0)  # equal errors cancel
     True
     """
-    if require_frame(frame) == "chart":
+    if require_one_of("frame", frame, FRAMES) == "chart":
         jacobians = module.between_jacobians(v2, v1)
     elif frame == "space":
         back = module.adjoint(module.inverse(v1)) @ _identity(module, v2)
@@ -101,7 +102,7 @@ def inverse_covariance(module: Any, v: ArrayLike, covariance: ArrayLike, *, fram
     >>> np.allclose(inverse_covariance(cayley2, cayley2.inverse(v), there), P)
     True
     """
-    if require_frame(frame) == "chart":  # the vector is −v
+    if require_one_of("frame", frame, FRAMES) == "chart":  # the vector is −v
         return _combined((_identity(module, v),), {"covariance": covariance})
     return _combined((module.adjoint(v if frame == "body" else module.inverse(v)),), {"covariance": covariance})
 
@@ -124,19 +125,13 @@ def transform_point_covariance(
     array([0.  , 0.02, 0.  ])
     """
     by_v, by_r = module.transform_point_jacobians(v, r)
-    if require_frame(frame) != "chart":
+    if require_one_of("frame", frame, FRAMES) != "chart":
         eye, about = np.eye(3, dtype=by_r.dtype), module.transform_point(v, r) if frame == "space" else np.asarray(r)
         turned = -np.cross(eye, about[..., None, :])
         by_v = np.concatenate([turned, np.broadcast_to(eye, turned.shape)], axis=-1)[..., : by_v.shape[-1]]
         by_v = by_v if frame == "space" else by_r @ by_v
     point = np.zeros((3, 3), by_r.dtype) if point_covariance is None else point_covariance
     return _combined((by_v, by_r), {"covariance": covariance, "point_covariance": point}, cross)
-
-
-def require_frame(frame: str) -> str:
-    if frame not in FRAMES:
-        raise ValueError(f"frame must be one of {', '.join(map(repr, FRAMES))}, got {frame!r}")
-    return frame
 
 
 def _identity(module: Any, v: ArrayLike) -> Array:

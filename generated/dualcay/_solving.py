@@ -12,6 +12,7 @@ from scipy.sparse import csc_matrix
 from scipy.sparse.linalg import splu
 
 from ._curve import Curve, Group, around, clamped
+from ._factors import carried, inverse
 from ._kernel import Array
 
 ITERATIONS = 50
@@ -44,8 +45,8 @@ def interpolating(group: Group, t: Array, poses: Array, boundary: str, twists: A
         return _solved(start, unknown, t[:-1], poses[:-1], np.ones((count, size)))
     order, goal = 2 if boundary == "natural" else 1, np.zeros((2, size))
     if twists is not None:
-        back = group.adjoint(group.between(poses[[0, -1]], np.eye(poses.shape[-1])))
-        goal = (back @ twists[..., None])[..., 0]
+        ends = [*np.moveaxis(poses[[0, -1], :3], 0, -1)]
+        goal = np.stack(carried(inverse(ends), [*twists.T]), axis=-1)
     start = _near(group, clamped(t), t, poses)
     return _solved(start, np.arange(len(t) + 2), t, poses, np.ones((len(t), size)), order, goal)
 
@@ -130,19 +131,21 @@ def _step(J: csc_matrix, value: Array) -> Array:
 
 def _distances(curve: Curve, t: Array, poses: Array, roots: Array) -> Rows:
     """Return the weighted body steps from the poses to the curve."""
-    group, module, factors = curve.group, curve.group.module, curve.factors(t, 0)
-    apart = group.vector(group.between(poses, curve.poses(factors)))
-    by_step = group.operator(module.body_tangent_inv(apart)) @ curve.variations(factors)[0]
+    group, module = curve.group, curve.group.module
+    apart = group.vector(group.between(poses, curve.values("pose", t)))
+    index, by_control = curve.variations(t, 0)
+    by_step = group.operator(module.body_tangent_inv(apart)) @ by_control
     roots = roots * module.body_tangent(module.identity()).flat[0]
-    return factors[0][:, None] + np.arange(4), roots[..., None] * by_step, roots * apart
+    return index, roots[..., None] * by_step, roots * apart
 
 
 def _ends(curve: Curve, order: int, goal: Array) -> Rows:
     """Return the differences of twist or acceleration from the goal at both ends, times powers of the spans."""
-    factors, lengths = curve.factors(curve.breaks[[0, -1]], 2), np.diff(curve.breaks)[[0, -1], None] ** order
-    by_step = curve.jacobians(factors)[order].swapaxes(1, 2).reshape(2, curve.group.size, -1)
-    value = lengths * (curve.twists(factors)[order - 1] - goal)
-    return factors[0][:, None] + np.arange(4), lengths[..., None] * by_step, value
+    ends, lengths = curve.breaks[[0, -1]], np.diff(curve.breaks)[[0, -1], None] ** order
+    index, _, *by_control = curve.jacobians(ends)
+    by_step = by_control[order - 1].swapaxes(1, 2).reshape(2, curve.group.size, -1)
+    value = lengths * (curve.values(("body_twist", "body_acceleration")[order - 1], ends) - goal)
+    return index, lengths[..., None] * by_step, value
 
 
 def _sparse(rows: list[Rows]) -> tuple[csc_matrix, Array]:

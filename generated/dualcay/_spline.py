@@ -6,7 +6,6 @@
 from __future__ import annotations
 
 import warnings
-from collections.abc import Callable
 from dataclasses import dataclass
 from math import pi
 from typing import Any
@@ -15,14 +14,11 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ._arguments import finite, increasing, require_one_of
-from ._curve import Curve, Group, around, clamped
+from ._curve import Group, of_controls
 from ._kernel import Array
 from ._motion import OfModule
 
 KINDS, BOUNDARIES, FRAMES = ("interpolating", "bspline"), ("natural", "clamped", "periodic"), ("space", "body")
-
-BLOCK = 8192
-"""Number of times computed at once, whose values fit into the cache."""
 
 NEAR = 0.95 * pi
 """Rotation angle between neighbouring poses above which noise of some degrees may change the way round."""
@@ -105,7 +101,7 @@ class PoseSpline(OfModule):
         self, module: Any, t: ArrayLike, poses_or_v: ArrayLike, *, kind: str = "interpolating",
         boundary: str = "natural", axis: int = 0, twists: ArrayLike | None = None,
     ) -> None:  # fmt: skip
-        group = _group(module)
+        group = Group(module)
         require_one_of("kind", kind, KINDS)
         require_one_of("boundary", boundary, BOUNDARIES)
         if twists is not None and boundary != "clamped":
@@ -116,7 +112,7 @@ class PoseSpline(OfModule):
         poses = neighbours(group, poses_or_v, axis, None if kind == "bspline" else len(times))
         self.module, self.period = module, times[-1] - times[0] if boundary == "periodic" else None
         if kind == "bspline":
-            self._curve = _given(group, times, poses, self.period)
+            self._curve = of_controls(group, times, poses, self.period)
         else:
             ends = None if twists is None else finite("twists", twists, (2, group.size), rows=True)
             self._curve = _solver().interpolating(group, times, poses, boundary, ends)
@@ -162,7 +158,7 @@ class PoseSpline(OfModule):
         >>> bool(abs(spline.pose(t) - poses).max() < 5e-3)
         True
         """
-        group, times = _group(module), increasing("t", t)
+        group, times = Group(module), increasing("t", t)
         given = neighbours(group, poses, 0, len(times))
         weighed = np.ones(len(times)) if weights is None else np.asarray(weights)
         shape = (len(times), *[group.size] * (weighed.ndim == 2))
@@ -203,48 +199,47 @@ class PoseSpline(OfModule):
         """
         if order not in (0, 1, 2):
             raise ValueError(f"order must be 0, 1 or 2, got {order!r}")
-        rate = self.module.body_rate if order == 1 else self.module.body_rate_dot
-
-        def values(curve: Curve, times: Array) -> Array:
-            factors = curve.factors(times, order)
-            v = curve.group.vector(curve.poses(factors))
-            return np.asarray(rate(v, *curve.twists(factors))) if order else v
-
-        return self._over(t, values)
+        return self._values(("v", "v_dot", "v_ddot")[order], t)
 
     def pose(self, t: ArrayLike) -> Array:
         """Return the poses, shape (..., 4, 4), at times of shape (...); rotations (..., 3, 3)."""
-        return self._over(t, lambda curve, times: curve.poses(curve.factors(times, 0)))
+        return self._values("pose", t)
 
     def twist(self, t: ArrayLike, frame: str = "space") -> Array:
         """Return the twists [ω, v], shape (..., 6), at times of shape (...), in the frame "space" or "body"."""
-        return self._motion(t, frame, 1)
+        return self._values("twist", t, frame)
 
     def acceleration(self, t: ArrayLike, frame: str = "space") -> Array:
         """Return the time derivatives of the twists in a frame, shape (..., 6), at times of shape (...).
 
         The one in space is the one of the body, carried by the pose.
         """
-        return self._motion(t, frame, 2)
+        return self._values("acceleration", t, frame)
+
+    def parts(self, t: ArrayLike) -> tuple[Array, Array]:
+        """Return the rows (..., 4) of four control poses at each time, and λ, λ̇, λ̈ of three factors, (3, ..., 3).
+
+        From these a curve is computed again by other means, such as kernels that JAX differentiates.
+        """
+        times, shape = self._times(t)
+        index, parts = self._curve.parts(times)
+        return self._rows(index).reshape(*shape, 4), parts.reshape(3, *shape, 3)
 
     def jacobians(self, t: ArrayLike) -> SplineJacobians:
         """Return the derivatives of pose, body twist and body acceleration by four control poses at each time."""
         times, shape = self._times(t)
-        factors = self._curve.factors(times, 2)
-        index = factors[0][:, None] + np.arange(4)
-        if self.period is not None:
-            index = (index - 1) % len(self.controls)
-        parts = (index, *self._curve.jacobians(factors))
-        return SplineJacobians(*(part.reshape(*shape, *part.shape[1:]) for part in parts))
+        index, *parts = self._curve.jacobians(times)
+        return SplineJacobians(*(part.reshape(*shape, *part.shape[1:]) for part in (self._rows(index), *parts)))
 
-    def _motion(self, t: ArrayLike, frame: str, order: int) -> Array:
+    def _rows(self, index: Array) -> Array:
+        """Return rows of ``controls``, which a closed curve repeats at both ends."""
+        return index if self.period is None else (index - 1) % len(self.controls)
+
+    def _values(self, name: str, t: ArrayLike, frame: str = "space") -> Array:
+        """Return a quantity at times of any shape."""
         require_one_of("frame", frame, FRAMES)
-        return self._over(t, lambda curve, times: curve.twists(curve.factors(times, order), frame)[-1])
-
-    def _over(self, t: ArrayLike, values: Callable[[Curve, Array], Array]) -> Array:
-        """Return values at times of any shape, block by block."""
         times, shape = self._times(t)
-        found = np.concatenate([values(self._curve, times[i : i + BLOCK]) for i in range(0, max(1, len(times)), BLOCK)])
+        found = self._curve.values(f"body_{name}" if frame == "body" else name, times)
         return found.reshape(*shape, *found.shape[1:])
 
     def _times(self, t: ArrayLike) -> tuple[Array, tuple[int, ...]]:
@@ -256,12 +251,6 @@ class PoseSpline(OfModule):
         if outside.size:
             raise ValueError(f"t must be in [{begin:g}, {end:g}], got {outside.flat[0]:g}")
         return times.ravel(), times.shape
-
-
-def _group(module: Any) -> Group:
-    if not hasattr(module, "from_exponential"):
-        raise TypeError(f"module must be a kernel module, as cayley2 is, got {module!r}")
-    return Group(module)
 
 
 def _solver() -> Any:
@@ -306,19 +295,3 @@ def _passed(group: Group, v: Array) -> Array:
     onward = np.sum(w[1:] * w[:-1], axis=-1) >= 0
     far = abs(np.diff(np.linalg.norm(w, axis=-1))) > pi + ROUNDING
     return np.asarray(onward & (far | (np.sum(q[1:] * q[:-1], axis=-1) < -ROUNDING)))
-
-
-def _given(group: Group, t: Array, controls: Array, period: float | None) -> Curve:
-    """Return the curve with given control poses."""
-    count = len(controls)
-    if period is not None:
-        if len(t) != count + 1:
-            raise ValueError(f"t must have {count + 1} knots for a closed curve of {count} control poses, got {len(t)}")
-        knots, controls = around(t), controls[np.arange(-1, count + 2) % count]
-    elif count >= 4 and len(t) in (count - 2, count):
-        knots = clamped(t if len(t) < count else np.delete(t, [1, -2]))
-    elif count >= 4 and len(t) == count + 4:
-        knots = t
-    else:
-        raise ValueError(f"t must have N, N - 2 or N + 4 knots for N ≥ 4 control poses, got {len(t)} for {count}")
-    return Curve(group, knots, controls, group.steps(controls))

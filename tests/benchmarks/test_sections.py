@@ -13,7 +13,7 @@ from tests.support import motions, sampling
 
 pytest.importorskip("matplotlib")
 
-from benchmarks import compiling, motion, propagate, timing
+from benchmarks import compiling, motion, propagate, splines, timing
 
 
 def test_section_on_propagate_has_a_row_for_each_case() -> None:
@@ -21,6 +21,12 @@ def test_section_on_propagate_has_a_row_for_each_case() -> None:
     rows = [line.split(" | ") for line in text.splitlines() if line.startswith("| 1e-")]
     assert len(rows) == 2 * len(propagate.COUNTS)
     assert all(float(rows[2][k].strip(" |")) < float(rows[0][k].strip(" |")) for k in (5, 6))
+
+
+def test_section_on_splines_has_a_row_for_each_quantity_and_no_time_of_scipy_for_v() -> None:
+    rows = [line.split(" | ") for line in splines.section((1, 9), 1).splitlines()[4:12]]
+    assert [row[1] for row in rows] == ["1"] * 4 + ["9"] * 4
+    assert [row[4] == "– |" for row in rows] == [False, False, False, True] * 2
 
 
 @pytest.mark.thorough

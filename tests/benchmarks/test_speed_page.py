@@ -128,6 +128,7 @@ def test_command_writes_page_data_and_plot_and_keeps_other_sections(
     monkeypatch.setattr(command, "measure", lambda: [of(NUMPY, "cayley2", 1.0), of("SciPy", "", 2.0)])
     monkeypatch.setattr(command.motion, "section", lambda: "## Motion")
     monkeypatch.setattr(command.propagate, "section", lambda: "## Propagation")
+    monkeypatch.setattr(command.splines, "section", lambda: "## Splines")
     monkeypatch.setattr(command, "allocator_is_fixed", lambda: False)
     with pytest.raises(RuntimeError, match="not fixed"):
         command.main()

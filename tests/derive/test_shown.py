@@ -41,8 +41,14 @@ def package(without_validation: None) -> Package:
     return names["package"]
 
 
+@cache
+def verified() -> Any:
+    """Return an erratum and a claim that holds under a condition."""
+    return derive.verify("karakilic-2010", ["14", "22"])
+
+
 def test_results_are_short_at_a_prompt(package: Package) -> None:
-    result, other = derive.verify("karakilic-2010", ["14", "22"])
+    result, other = verified()
     assert repr(result) == "<Result karakilic-2010 (14): erratum>"
     assert repr(result.equation) == "<Equation (14): b1* from the others>"
     assert repr(other) == "<Result karakilic-2010 (22): holds-if>"
@@ -66,7 +72,7 @@ def test_proof_is_a_formula_in_a_notebook() -> None:
     assert norm._repr_latex_() == rf"$\displaystyle \text{{proved [all n]:}}\quad {norm.latex}$"
 
 
-FOUND = (derive.Cayley(1).prove, derive.family("lambert").prove, lambda: derive.verify("karakilic-2010", ["14", "22"]))
+FOUND = (derive.Cayley(1).prove, derive.family("lambert").prove, verified)
 
 
 @pytest.mark.parametrize("found", FOUND)
@@ -112,8 +118,8 @@ def formulas() -> dict[str, Any]:
         r"s + \varepsilon \left(t + s\right)": Dual(s, s + t),
         r"\left(t + s\right) I - 2 \tilde{v}": Isotropic(s + t, -2, 0, s),
         r"\left(s + \varepsilon t\right) I + 1 v \otimes v": Isotropic(Dual(s, t), 0, 1, s),
-        r"\text{(14)}\quad b_1^{*} = ": derive.verify("karakilic-2010", ["14"])[0].equation,
-        r"\text{false:}\quad b_1^{*} = ": derive.verify("karakilic-2010", ["14"])[0].verdicts[0],
+        r"\text{(14)}\quad b_1^{*} = ": verified()[0].equation,
+        r"\text{false:}\quad b_1^{*} = ": verified()[0].verdicts[0],
         theorems()[2].claim[0].latex: theorems()[2].claim[0],
         r"\dot{R} = \tilde{\omega}\,R": derive.motion_equation("70"),
         r"\dot{R} = R\,\tilde{\omega_B}": derive.motion_equation("74"),
@@ -133,7 +139,7 @@ def test_values_are_formulas_in_a_notebook() -> None:
 
 
 def test_less_than_sign_is_escaped() -> None:
-    table = derive.verify("karakilic-2010", ["14"])._repr_html_()
+    table = verified()._repr_html_()
     assert "0 &lt; f" in table
     assert set(re.findall(r"</?(\w+)", table)) == {"table", "tr", "th", "td"}
 
@@ -156,10 +162,9 @@ def maps() -> list[Any]:
 def results() -> tuple[Any, ...]:
     """Return an object of each public type that is no chart and no map, among them failed proofs and errata."""
     failed = STATED[2].with_claim(0, STATED[2].claim[0].altered()).decide({})
-    verified = derive.verify("karakilic-2010", ["14"])
     return (
-        *theorems(), *derive.family("exponential").prove(), *derive.Cayley(2).prove()[-3:], failed, *verified,
-        *(result.equation for result in verified), *(result.verdicts[0] for result in verified),
+        *theorems(), *derive.family("exponential").prove(), *derive.Cayley(2).prove()[-3:], failed, *verified(),
+        *(result.equation for result in verified()), *(result.verdicts[0] for result in verified()),
         derive.explain(derive.Cayley(2), "pose"), derive.motion_equation("90", 2), derive.motion_equation("70"),
         *compared(), Package({"a": "b"}, ()),
     )  # fmt: skip

@@ -31,11 +31,6 @@ def test_the_package_lists_its_modules_and_functions() -> None:
     assert all(hasattr(dualcay, name) for name in dir(dualcay))
 
 
-@pytest.mark.parametrize("order", ORDERS)
-def test_a_module_lists_what_users_call(order: int) -> None:
-    assert dir(load(order)) == sorted(load(order).__all__)
-
-
 def test_backend_says_what_runs_each_function() -> None:
     functions = {getattr(load(3), name).__name__ for name in load(3).__all__}  # an alias counts once
     assert list(dualcay.backend()) == sorted(functions)

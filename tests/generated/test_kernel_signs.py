@@ -8,7 +8,6 @@ import numpy as np
 import pytest
 
 from tests.support.kernels import LAWS, load
-from tests.support.oracle import oracle_of
 
 pytestmark = pytest.mark.smoke
 
@@ -85,63 +84,6 @@ def test_the_identity_has_no_other_branches(kernel: ModuleType, order: int, shap
             assert np.isnan(form(k)).all()
     np.testing.assert_array_equal(kernel.principal(zero), zero)
     np.testing.assert_array_equal(kernel.compose(zero, zero), zero)
-
-
-# Vectors at exact multiples of 2π: |v|² = 3 for n = 3, |v|² = 1 for n = 4 and 8.
-AT_FULL_TURNS = [
-    (3, [1.0, 1.0, 1.0]), (3, [1.0, -1.0, 1.0]), (4, [0.0, 1.0, 0.0]), (4, [0.0, 0.0, -1.0]),
-    (8, [-1.0, 0.0, 0.0]), (8, [0.0, 1.0, 0.0]),
-]  # fmt: skip
-
-
-@pytest.mark.parametrize(("order", "real"), AT_FULL_TURNS)
-@pytest.mark.parametrize("dual", [[1.0, 2.0, -0.5], [-1.0, -2.0, 0.5], [0.3, -0.4, 0.2]])
-def test_full_turns_are_translations_along_the_axis(order: int, real: list[float], dual: list[float]) -> None:
-    """Expect ρ = 2n/(1 + x) (u·v°) u for any component of v° across u: T has rank one."""
-    kernel = load(order)
-    v = np.array([*real, *dual])
-    x = v[:3] @ v[:3]
-    rho = 2 * order / (1 + x) * (v[:3] @ v[3:]) / x * v[:3]
-    size = np.linalg.norm(rho)
-    for given, pick in ((v, lambda a: a), (np.stack([v, -v]), lambda a: a[0])):
-        np.testing.assert_allclose(pick(kernel.pose(given))[:3, 3], rho, atol=1e-14)
-        angle, line = kernel.to_screw(given)
-        np.testing.assert_allclose(pick(angle), [0, size], atol=1e-14)
-        np.testing.assert_allclose(pick(line)[:3], rho / size, atol=1e-14)
-        principal = pick(kernel.principal(given))
-        np.testing.assert_allclose(principal, [0, 0, 0, *(rho / (2 * order))], atol=1e-14)
-        for k in range(order):
-            shadow = pick(kernel.shadow(given, k))
-            if np.linalg.norm(shadow[:3]) < 1e3:
-                np.testing.assert_allclose(kernel.pose(shadow), kernel.pose(v), atol=1e-12)
-                # Branches count turns in the direction of the translation.
-                wanted = oracle_of(order).shadow(v, k).astype(float)
-                np.testing.assert_allclose(shadow, wanted, rtol=1e-13, atol=1e-13)
-
-
-@pytest.mark.parametrize("batch", [False, True])
-@pytest.mark.parametrize("size", [1e-100, 1e-155, 1e-162, 1e-200, 1e-300])
-def test_lengths_do_not_underflow(kernel: ModuleType, order: int, size: float, batch: bool) -> None:
-    """Expect correct axis, angle and shadows for vectors with underflow in v·v, with and without rotation."""
-    re, du = np.array([2.0, -1, 2]) / 3, np.array([2.0, 2, -1])
-    u = np.concatenate([re, du / 3])
-    for v, expected, rotation in (
-        (size * np.concatenate([re, du / 3]), u, size),
-        (size * np.concatenate([np.zeros(3), re]), np.concatenate([re, np.zeros(3)]), 0.0),
-    ):
-        given = np.stack([v] * 30) if batch else v
-        angle, axis = kernel.to_screw(given)
-        np.testing.assert_allclose(np.atleast_2d(axis)[0], expected, atol=8 * EPS)
-        # zeros must be exact; a tiny pitch would come from rounding
-        wanted = [2 * order * rotation, 0.0 if rotation else 2 * order * size]
-        np.testing.assert_allclose(np.atleast_2d(angle)[0], wanted, rtol=8 * EPS, atol=8 * EPS * size)
-        for k in range(1, order):
-            if 2 * k != order:
-                tangent = np.tan(np.pi * k / order)
-                shadow = np.atleast_2d(kernel.shadow(given, k))[0]
-                np.testing.assert_allclose(shadow[:3], tangent * re, rtol=1e-13)
-        back = kernel.from_quaternion(kernel.quaternion(given), check=True)
-        np.testing.assert_allclose(back, given, rtol=8 * EPS, atol=0 if size > 1e-290 else 1e-320)
 
 
 @pytest.mark.parametrize("size", [1e-100, 1e-155, 1e-162, 1e-200, 1e-300])

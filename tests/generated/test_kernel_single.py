@@ -1,4 +1,4 @@
-"""Single poses: agreement with batches, and IEEE results at singular points without exceptions or warnings."""
+"""IEEE results at singular points without exceptions or warnings, equal in single poses and batches."""
 
 from __future__ import annotations
 
@@ -13,10 +13,8 @@ import pytest
 from derive.codegen.signatures import PUBLIC
 from dualcay import _geometry, _numbers
 from tests.support import thorough
-from tests.support.kernels import ALIKE, LAWS, load
-from tests.support.signatures import KINDS, SIGNATURES, assert_nearly_equal, components_last, inputs, rows_of
-
-SOME = pytest.mark.parametrize("order", ALIKE, indirect=True, ids=lambda n: f"n={n}")
+from tests.support.kernels import LAWS, load
+from tests.support.signatures import SIGNATURES, components_last, rows_of
 
 
 @pytest.fixture(autouse=True)
@@ -24,24 +22,6 @@ def warnings_are_errors() -> Iterator[None]:
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         yield
-
-
-@SOME
-@pytest.mark.parametrize("name", thorough.sampled(SIGNATURES, KINDS.values()))
-def test_single_pose_agrees_with_batches_and_lists(kernel: ModuleType, order: int, name: str) -> None:
-    function = getattr(kernel, name)
-    for dtype in (np.float32, np.float64, np.longdouble):
-        arguments = inputs(kernel, name, order, (), dtype)
-        single = function(*arguments)
-        assert isinstance(single, np.ndarray)
-        assert single.flags.writeable
-        assert_nearly_equal(single, function(*(a[None] for a in arguments))[0])
-        assert_nearly_equal(single, function(*arguments, axis=0))
-        crowd = function(*(np.repeat(a[None], 100, axis=0) for a in arguments))
-        assert_nearly_equal(crowd, np.broadcast_to(single, crowd.shape))
-        if dtype == np.float64:
-            assert_nearly_equal(function(*(a.tolist() for a in arguments)), single)
-            assert_nearly_equal(function(*(tuple(a) if a.ndim == 1 else a for a in arguments)), single)
 
 
 BRANCHED = {name for name, row in PUBLIC.items() if row.branch}

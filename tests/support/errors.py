@@ -139,3 +139,8 @@ def entry_twists(rotation: Any) -> np.ndarray:
             m = matmul(unit, back)
             columns.append([(m[2][1] - m[1][2]) / 2, (m[0][2] - m[2][0]) / 2, (m[1][0] - m[0][1]) / 2])
     return np.array(pack(columns), dtype=float).transpose(0, 2, 1)
+
+
+def close(found: np.ndarray, wanted: np.ndarray, bound: float) -> None:
+    """Compare within a bound relative to the largest value."""
+    np.testing.assert_allclose(found, wanted, rtol=0, atol=bound * max(1, abs(wanted).max()))

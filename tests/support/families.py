@@ -226,13 +226,6 @@ def edge_of(name: str) -> float:
     return 2 * np.pi if name == "exponential" else oracle_of(name).order * np.pi
 
 
-def slope_of(name: str) -> float:
-    """Return φ′(0)."""
-    oracle = oracle_of(name)
-    tiny = oracle.field.number(2.0**-80)
-    return float((oracle.size(_dual_zero(oracle) + tiny).re / tiny) / (2 * oracle.order))
-
-
 def half_product(omega: np.ndarray, q: np.ndarray) -> np.ndarray:
     """Return the dual quaternion ω q/2 of a dual vector ω and a dual quaternion q."""
 

@@ -4,14 +4,13 @@
 terms           parts of terms: operators, differences of relations, what vanishes where a term does
 place           points at which a claim is evaluated
 claim           a claim with its letters, evaluated over balls at points given by coordinates
-frames          frames that only give constant directions, taken as the identity
+frames          rotations in other forms: frames at rest as the identity, a product in a logarithm as one
 solved          equations of a stated domain, solved for letters
 constrained     points moved onto the equations of a stated domain
 singular        singular parts of a formula: divisors, radicands, arguments of inverse functions
 zeros           zeros of singular parts along lines of points
 polar           letters in polar form: lengths, angles and directions
-identity        proof of a claim at independent generators, exactly or modulo a random prime
-proof           proof of a claim by one of three ways: for every order, exactly, or modulo a random prime
+identity        proof of a claim at independent generators: for every order, exactly, or modulo a random prime
 equal_sides     points at which both sides of an order relation are equal or a floor jumps
 uphill          corners of a bounded domain, and the way uphill from one
 places          points at which a claim may fail

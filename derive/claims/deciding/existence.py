@@ -16,8 +16,8 @@ from ..language.printed import Term, symbols
 from ..numbers.fields import innermost
 from ..numbers.generators import Generators
 from .claim import Claim
-from .frames import with_frames_at_rest
-from .identity import ABSENT, setting, with_free_product
+from .frames import with_frames_at_rest, with_free_product
+from .identity import ABSENT, every_sign, setting
 from .partial import OPEN, is_invertible, is_named, partial_operations
 from .signs import Signs, signs_in
 from .solved import with_solved_equations
@@ -28,14 +28,11 @@ def signs_of(claim: Claim, condition: Sequence[Term], parts: Sequence[Term]) -> 
     """Return the signs for each choice of orders and of signs of the roots in parts, with what the domain says."""
     found: list[Signs] = []
     for fixed in claim.general:
-        waiting: list[tuple[int, ...]] = [()]
-        while waiting:
-            chosen = waiting.pop()
-            signs = signs_in(claim, setting(claim, Generators, fixed, chosen), condition)
+        for env in every_sign(partial(setting, claim, Generators, fixed)):
+            signs = signs_in(claim, env, condition)
             for part in parts:
                 with suppress(*ABSENT):
-                    signs.env.value(part)
-            waiting += [(*signs.field.signs[:i], -1) for i in range(len(chosen), len(signs.field.roots))]
+                    env.value(part)
             found.append(signs)
     return found
 

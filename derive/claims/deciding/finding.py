@@ -24,11 +24,10 @@ from ..result import Status
 from .claim import Claim, RefusedError
 from .conditions import exclusions, is_sharp, plain
 from .existence import undecided_parts
-from .identity import MODULO, jumps
+from .identity import MODULO, jumps, proved, proved_at_orders
 from .ordering import ordered
 from .place import Place
 from .places import Probe
-from .proof import proved, proved_at_orders
 from .regions import Outcome, Region, branched, region
 from .singular import ORDERED
 from .split import split

@@ -1,6 +1,7 @@
-"""Frames at rest: a rotation R that only gives constant directions ``R*c`` is taken as the identity.
+"""Rotations of a claim in other forms: frames at rest, and a product in a logarithm as one rotation.
 
-All other vectors turn with R, so that a claim is true for each R if it is true for one.
+A rotation R that only gives constant directions ``R*c`` is taken as the identity. All other vectors turn with R, so
+that a claim is true for each R if it is true for one.
 """
 
 from __future__ import annotations
@@ -8,9 +9,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from enum import Enum, auto
 
-from ..language.matrices import distance
+from ..language.matrices import distance, inverse
 from ..language.operator_table import RELATIONS, Re
-from ..language.printed import Symbol, Term, Trait, symbols, walk
+from ..language.printed import Symbol, Term, Trait, symbols, walk, with_trait
 from ..numbers.kinds import KINDS
 from .claim import Claim, kind
 from .terms import is_frame_free
@@ -23,6 +24,7 @@ class Turn(Enum):
     REAL_PART = auto()
 
 
+ROTATION, PRODUCT = "rotation", "S of rotations"
 INVARIANT = frozenset(("norm", "dot", "trace", "det", "distance"))
 """Operators whose numbers are the same in all frames, with their dual parts."""
 
@@ -67,3 +69,41 @@ def _turning(node: Term) -> set[Turn]:
     if is_apart and Turn.FRAME in found:
         return {*Turn}
     return set() if node.operator.name in INVARIANT | RELATIONS and len(found) < 2 else found
+
+
+def with_free_product(claim: Claim, *further: Term) -> tuple[Claim, tuple[Term, ...]]:
+    """Return a claim and further terms with a rotation S for ``R*inverse(K)`` in a logarithm, and R = S K.
+
+    The logarithm of a product of two rotations in polar form is no rational function.
+    """
+    found = next(filter(None, map(_product_of_rotations, with_trait(Trait.TRANSCENDENTAL, claim.statement))), None)
+    if found is None:
+        return claim, further
+    node, moved, product = found
+    letter = Symbol(PRODUCT, ROTATION, PRODUCT, PRODUCT)
+    a, b = node.arguments
+    opposite = b.arguments[0] * inverse(a) if isinstance(a, Symbol) else inverse(b) * a.arguments[0]
+
+    def shown(part: Term) -> Term:
+        found: Term = part.xreplace({node: letter, opposite: inverse(letter)}).xreplace({moved: product})
+        return found
+
+    domain = None if claim.entry.claimed is None else shown(claim.entry.claimed)
+    return claim.on(domain).with_statement(shown(claim.statement)), tuple(map(shown, further))
+
+
+def _product_of_rotations(node: Term) -> tuple[Term, Symbol, Term] | None:
+    """Return the product in a logarithm, its letter that moves, and this letter by the product and the other one."""
+    inner = node.arguments[0]
+    if node.operator.name != "log" or inner.operator.name != "times" or len(inner.arguments) != 2:
+        return None
+    a, b = inner.arguments
+    product = Symbol(PRODUCT, ROTATION, PRODUCT, PRODUCT)
+    for one, other, left in ((a, b, False), (b, a, True)):
+        base = other.arguments[0] if other.operator.name in ("inverse", "transpose") else None
+        if not (isinstance(one, Symbol) and isinstance(base, Symbol) and one.quantity.name.endswith("rotation")):
+            continue
+        if kind(one).constant:
+            return inner, base, one * inverse(product) if left else inverse(product) * one
+        return inner, one, base * product if left else product * base
+    return None

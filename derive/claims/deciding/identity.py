@@ -1,4 +1,4 @@
-"""Proof of a claim at independent generators: for all signs of its roots, exactly or modulo a random prime.
+"""Proof of a claim at independent generators: for every order at once, then exactly or modulo a random prime.
 
 Such a proof shows that both sides are equal wherever both have a value; it shows no value. Modulo a prime a proof is
 fast, and large formulas have no other.
@@ -6,7 +6,7 @@ fast, and large formulas have no other.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from functools import lru_cache, partial
 from itertools import permutations
@@ -16,18 +16,18 @@ from typing import Any
 from ...algebra.element import NotExactError
 from ..equation import Entry
 from ..language.environment import Env
-from ..language.matrices import inverse, unlike
+from ..language.matrices import unlike
 from ..language.operations import written
 from ..language.operator_table import Du, Re, difference, equal, over
-from ..language.printed import Number, Symbol, Term, Trait, symbols, walk, with_trait
+from ..language.printed import Number, Symbol, Term, Trait, symbols, walk
 from ..language.values import coefficients
 from ..numbers.fields import innermost
 from ..numbers.generators import Generators
 from ..numbers.kinds import BRANCH, KINDS, ORDER
-from ..numbers.residues import Residues, UnluckyError
-from .claim import Claim, kind
+from ..numbers.residues import SURE_BITS, Residues, UnluckyError
+from .claim import Claim
 from .constrained import gaps
-from .frames import with_frames_at_rest
+from .frames import with_frames_at_rest, with_free_product
 from .polar import Polar, Way, bounds, closed_letters
 from .solved import with_solved_equations
 from .terms import STRICT, is_frame_free, operators, takes_parts
@@ -36,8 +36,8 @@ PRIMES_MAX = 40
 """Largest number of primes that are tried for one with all roots."""
 TESTS = 2**20
 """More equalities than a proof tests."""
-MODULO = "proved modulo a random prime"
-ROTATION, PRODUCT = "rotation", "S of rotations"
+MODULO, EVERY = "proved modulo a random prime", "exact, all n"
+"""Words for a proof modulo a prime, and for one of every order."""
 CUT = frozenset(("floor of number", "negated", "implies", "iff", "cases"))
 """Operators that jump: a claim that is true at generic values may be false at special ones."""
 ANGLES = frozenset(("real", "real angle", "dual number", "angle"))
@@ -46,6 +46,27 @@ INTEGERS = frozenset(("integer", "order", "branch"))
 ABSENT = (ArithmeticError, TypeError, AttributeError, KeyError, ValueError, IndexError)
 """Errors of a number that a field does not have."""
 Make = Callable[..., Generators]
+
+
+def proved(claim: Claim) -> str | None:
+    """Return how a claim is proved where both sides have a value, or None."""
+    modulo = f"{MODULO}, error < 2^-{SURE_BITS}"
+    if orders_of(claim):
+        return _first_proof(claim, (proved_for_all_orders, EVERY))
+    return _first_proof(claim, (proved_exactly, "exact"), (proved_modulo, modulo))
+
+
+def proved_at_orders(claim: Claim) -> str | None:
+    """Return at which orders a claim about every order is proved, which is no proof of it; or None."""
+    return _first_proof(claim, (proved_exactly, f"exact{orders_of(claim)}")) if orders_of(claim) else None
+
+
+def _first_proof(claim: Claim, *ways: tuple[Callable[[Claim], bool], str]) -> str | None:
+    for prove, how in ways:
+        with suppress(NotExactError):
+            if prove(claim):
+                return how
+    return None
 
 
 def orders_of(claim: Claim) -> str:
@@ -77,6 +98,17 @@ def proved_for_all_orders(claim: Claim) -> bool:
     return _for_all_signs(claim, Generators, claim.general)
 
 
+def every_sign(setting_of: Callable[[tuple[int, ...]], Env]) -> Iterator[Env]:
+    """Yield the environments for all signs of the roots of unknown sign, which evaluation in the one before finds."""
+    waiting: list[tuple[int, ...]] = [()]
+    while waiting:
+        signs = waiting.pop()
+        env = setting_of(signs)
+        yield env
+        field: Any = env.field
+        waiting += [(*field.signs[:i], -1) for i in range(len(signs), len(field.roots))]
+
+
 def _for_all_signs(claim: Claim, make: Make, choices: Sequence[Mapping[Symbol, int]] | None = None) -> bool:
     """Return whether a claim is true for all orders and for all signs of roots whose sign is unknown.
 
@@ -84,15 +116,21 @@ def _for_all_signs(claim: Claim, make: Make, choices: Sequence[Mapping[Symbol, i
     """
     claim, _ = with_free_product(with_solved_equations(claim)[0])
     claim, _ = with_frames_at_rest(claim)
-    for fixed in claim.choices if choices is None else choices:
-        waiting: list[tuple[int, ...]] = [()]
-        while waiting:
-            signs = waiting.pop()
-            field = _evaluated(claim, make, fixed, signs)
-            if field is None:
-                return False
-            waiting += [(*field.signs[:i], -1) for i in range(len(signs), len(field.roots))]
-    return True
+    try:
+        every = claim.choices if choices is None else choices
+        envs = (env for fixed in every for env in every_sign(partial(setting, claim, make, fixed)))
+        return all(_is_true(env, claim.statement) for env in envs)
+    except (NotExactError, UnluckyError):
+        raise
+    except ABSENT as error:
+        raise NotExactError("no generic value") from error
+
+
+def _is_true(env: Env, statement: Term) -> bool:
+    true = bool(env.value(statement))
+    if isinstance(env.field, Residues) and not env.field.is_sure(TESTS):
+        raise NotExactError("a formula too large for the prime")
+    return true
 
 
 def jumps(statement: Term) -> bool:
@@ -108,23 +146,6 @@ def jumps(statement: Term) -> bool:
     return statement.operator.name.rstrip("0123456789") in CUT or any(map(jumps, statement.arguments))
 
 
-def _evaluated(
-    claim: Claim, make: Make, fixed: Mapping[Symbol, int], signs: Sequence[int]
-) -> Generators | None:
-    """Return the field if the claim is true with these signs of the first roots, else None."""
-    try:
-        env = setting(claim, make, fixed, signs)
-        true = env.value(claim.statement)
-    except (NotExactError, UnluckyError):
-        raise
-    except ABSENT as error:
-        raise NotExactError("no generic value") from error
-    field: Any = env.field
-    if isinstance(field, Residues) and not field.is_sure(TESTS):
-        raise NotExactError("a formula too large for the prime")
-    return field if true else None
-
-
 def setting(
     claim: Claim, make: Make, fixed: Mapping[Symbol, int], signs: Sequence[int] = (), way: Way = Way.POLAR,
     steps: int = 0,
@@ -135,7 +156,8 @@ def setting(
     also holds for dual numbers. Angles are taken in `steps` or finer parts.
     """
     domain = claim.domain
-    steps = lcm(steps or steps_of(claim.statement), *(4 * n for a, n in fixed.items() if a.quantity is ORDER))
+    steps = steps or 2 * lcm(2, whole_steps(claim.statement))
+    steps = lcm(steps, *(4 * n for a, n in fixed.items() if a.quantity is ORDER))
     field = partial(make, steps=steps, signs=signs)
     if claim.constraints:
         way = Way.COMPONENTS
@@ -188,18 +210,11 @@ def _is_never_true(claim: Claim, part: Term) -> bool:
     """Return whether a relation of no order, branch or sign is false for all signs of roots."""
     if not all(a.quantity.name in KINDS or not a.quantity.varies for a in symbols(part)):
         return False
-    waiting: list[tuple[int, ...]] = [()]
-    while waiting:
-        signs = waiting.pop()
-        try:
-            env = setting(claim, Generators, claim.choices[0], signs)
-            if (takes_parts(part) and not env.dual) or not _is_false(env, part):
-                return False
-        except ABSENT:
-            return False
-        roots: Any = env.field
-        waiting += [(*roots.signs[:i], -1) for i in range(len(signs), len(roots.roots))]
-    return True
+    try:
+        envs = every_sign(partial(setting, claim, Generators, claim.choices[0]))
+        return not any((takes_parts(part) and not env.dual) or not _is_false(env, part) for env in envs)
+    except ABSENT:
+        return False
 
 
 def _is_false(env: Env, part: Term) -> bool:
@@ -215,62 +230,17 @@ def _is_false(env: Env, part: Term) -> bool:
     return False
 
 
-def whole_steps(statement: Term) -> int:
-    """Return the least integer M such that a statement contains only multiples of α/M, for each free angle α."""
-    return divisor(statement)
-
-
 def not_negative(env: Env, part: Term) -> Any:
     """Return the number that an order relation says not to be negative."""
     gap = innermost(env.now(env.value(difference(part))))
     return gap if part.operator.name in ("greater", "at least") else -gap
 
 
-def with_free_product(claim: Claim, *further: Term) -> tuple[Claim, tuple[Term, ...]]:
-    """Return a claim and further terms with a rotation S for ``R*inverse(K)`` in a logarithm, and R = S K.
+def whole_steps(statement: Term) -> int:
+    """Return an integer M such that a statement contains only multiples of α/M, for each free angle α.
 
-    The logarithm of a product of two rotations in polar form is no rational function.
+    It is a multiple of all divisors, and of their products within an argument, as 4 of ``x/2/2``.
     """
-    found = next(filter(None, map(_product_of_rotations, with_trait(Trait.TRANSCENDENTAL, claim.statement))), None)
-    if found is None:
-        return claim, further
-    node, moved, product = found
-    letter = Symbol(PRODUCT, ROTATION, PRODUCT, PRODUCT)
-    a, b = node.arguments
-    opposite = b.arguments[0] * inverse(a) if isinstance(a, Symbol) else inverse(b) * a.arguments[0]
-
-    def shown(part: Term) -> Term:
-        found: Term = part.xreplace({node: letter, opposite: inverse(letter)}).xreplace({moved: product})
-        return found
-
-    domain = None if claim.entry.claimed is None else shown(claim.entry.claimed)
-    return claim.on(domain).with_statement(shown(claim.statement)), tuple(map(shown, further))
-
-
-def _product_of_rotations(node: Term) -> tuple[Term, Symbol, Term] | None:
-    """Return the product in a logarithm, its letter that moves, and this letter by the product and the other one."""
-    inner = node.arguments[0]
-    if node.operator.name != "log" or inner.operator.name != "times" or len(inner.arguments) != 2:
-        return None
-    a, b = inner.arguments
-    product = Symbol(PRODUCT, ROTATION, PRODUCT, PRODUCT)
-    for one, other, left in ((a, b, False), (b, a, True)):
-        base = other.arguments[0] if other.operator.name in ("inverse", "transpose") else None
-        if not (isinstance(one, Symbol) and isinstance(base, Symbol) and one.quantity.name.endswith("rotation")):
-            continue
-        if kind(one).constant:
-            return inner, base, one * inverse(product) if left else inverse(product) * one
-        return inner, one, base * product if left else product * base
-    return None
-
-
-def steps_of(statement: Term) -> int:
-    """Return an integer M such that the statement contains only multiples of α/M, for each free angle α."""
-    return 2 * lcm(2, divisor(statement))
-
-
-def divisor(statement: Term) -> int:
-    """Return a multiple of all divisors in a statement, and of their products within an argument, as 4 of ``x/2/2``."""
 
     def of(node: Term) -> int:
         below = [of(a) for a in node.arguments]

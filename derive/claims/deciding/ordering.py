@@ -21,9 +21,8 @@ from ..numbers.generators import Generators
 from ..numbers.signed import Bound
 from .claim import Claim, kind
 from .existence import undecided_parts
-from .identity import ABSENT, not_negative, setting, whole_steps
+from .identity import ABSENT, every_sign, not_negative, proved, setting, whole_steps
 from .polar import ALL, POSITIVE, Way, bounds
-from .proof import proved
 from .signs import MARGIN, Signs, signs_in
 from .terms import STRICT, is_frame_free, operators
 
@@ -43,7 +42,7 @@ def _is_true(claim: Claim, statement: Term) -> bool:
     """Return whether a statement is proved, each of its order relations in any way."""
     if Trait.JOINS in statement.operator.traits or statement.operator is both:
         return all(_is_true(claim, part) for part in statement.arguments)
-    known = [difference(part) for part in _domain(claim) if part.operator.name in ("unlike", "nonzero")]
+    known = [difference(part) for part in claim.domain if part.operator.name in ("unlike", "nonzero")]
     if statement.operator.name == "unlike" and difference(statement) in known:
         return True
     if statement.operator.name not in (*STRICT, "unlike"):
@@ -90,18 +89,11 @@ def _ways(claim: Claim) -> Iterator[Way]:
 def _for_all_signs(claim: Claim, way: Way, test: Test) -> bool:
     """Return whether a test is passed for all orders and for both signs of each root whose sign is unknown."""
     steps = whole_steps(claim.statement)
-    for fixed in claim.general:
-        waiting: list[tuple[int, ...]] = [()]
-        while waiting:
-            chosen = waiting.pop()
-            try:
-                signs = signs_in(claim, setting(claim, Generators, fixed, chosen, way, steps))
-                if not test(signs, claim.statement):
-                    return False
-            except ABSENT:
-                return False
-            waiting += [(*signs.field.signs[:i], -1) for i in range(len(chosen), len(signs.field.roots))]
-    return True
+    ways = (partial(setting, claim, Generators, fixed, way=way, steps=steps) for fixed in claim.general)
+    try:
+        return all(test(signs_in(claim, env), claim.statement) for of_signs in ways for env in every_sign(of_signs))
+    except ABSENT:
+        return False
 
 
 def _holds(signs: Signs, relation: Term, whole: bool) -> bool:
@@ -135,13 +127,13 @@ def _along_numbers(claim: Claim) -> bool:
         return False
     if "atan2 of two" in operators(claim.statement) or undecided_parts(claim):
         return False  # there may be a jump or a pole
-    if not all(bounds([part]) for part in _domain(claim)):
+    if not all(bounds([part]) for part in claim.domain):
         return False  # the way along a number may leave the domain
     return any(_along(claim, a) for a in claim.coordinates if kind(a).size == 1 and kind(a).spread != "integer")
 
 
 def _along(claim: Claim, letter: Symbol) -> bool:
-    low, high = bounds(_domain(claim)).get(letter.name, POSITIVE if kind(letter).spread == "positive" else ALL)
+    low, high = bounds(claim.domain).get(letter.name, POSITIVE if kind(letter).spread == "positive" else ALL)
     for begin in dict.fromkeys((low, high, *BEGINNINGS)):
         if begin.is_finite and low <= begin <= high:
             parts = ((1, high - begin), (-1, begin - low))
@@ -151,10 +143,6 @@ def _along(claim: Claim, letter: Symbol) -> bool:
     inside = [_moved(claim, {letter: end}) for end in ends if end is not None]
     return len(inside) == 2 and all(_is_true(one, one.statement) for one in inside) and _for_all_signs(
         claim, Way.POLAR, partial(_bends_down, letter=letter))
-
-
-def _domain(claim: Claim) -> tuple[Term, ...]:
-    return claim.domain
 
 
 def _from(claim: Claim, letter: Symbol, begin: Bound, sign: int, length: Bound) -> bool:
@@ -169,7 +157,7 @@ def _from(claim: Claim, letter: Symbol, begin: Bound, sign: int, length: Bound) 
 
 def _moved(claim: Claim, values: dict[Symbol, Term], *within: Term) -> Claim:
     """Return a claim with terms in place of letters, and with more relations in its domain."""
-    domain = [*(part.xreplace(values) for part in _domain(claim)), *within]
+    domain = [*(part.xreplace(values) for part in claim.domain), *within]
     entry = replace(claim.entry, claimed=reduce(both, domain) if domain else None)
     return Claim(entry, claim.statement.xreplace(values), claim.orders)
 

@@ -63,11 +63,6 @@ def du(a: Any) -> Any:
     return getattr(a, "du", 0)
 
 
-def dualise(re: Any, du: Any) -> Any:
-    """Return ``re + ε du`` for numbers and structures."""
-    return re + du * Dual(0, 1)
-
-
 # ---- matrices, poses and twists ---------------------------------------------------------------------------------
 
 

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from shlex import quote
 from typing import Protocol
 
 from ... import about
@@ -73,15 +74,26 @@ class Report:
     proofs: tuple[StatementProof, ...]
     root: str = ""
     problems: tuple[Problem, ...] = ()
+    unread: tuple[Mapping[str, str], ...] = ()  # number, place and LaTeX of equations without a claim
 
     @classmethod
     def of(
         cls, papers: Iterable[Paper], results: Sequence[Result], proofs: Iterable[StatementProof], root: str = "",
-        problems: Iterable[Problem] = (),
+        problems: Iterable[Problem] = (), unread: Iterable[Mapping[str, str]] = (),
     ) -> Report:  # fmt: skip
-        """Return a report with results grouped by paper, and what could not be read in files."""
+        """Return a report with results grouped by paper, what could not be read in files, and what has no claim."""
         chapters = (Chapter(paper, tuple(r for r in results if r.paper == paper.slug)) for paper in papers)
-        return cls(tuple(chapter for chapter in chapters if chapter.results), tuple(proofs), root, tuple(problems))
+        found = tuple(chapter for chapter in chapters if chapter.results)
+        return cls(found, tuple(proofs), root, tuple(problems), tuple(unread))
+
+    @property
+    def summary(self) -> str:
+        """Counts in words: what was decided, what was not, and what has no claim."""
+        open_ = (Status.UNREFUTED, Status.UNDECIDED)
+        counts = {"decided": sum(result.status not in open_ for result in self.results)}
+        counts |= {str(status): sum(result.status is status for result in self.results) for status in open_}
+        counts |= {"unread": len(self.unread), "not understood": len(self.problems)}
+        return ", ".join(f"{count} {what}" for what, count in counts.items() if count or what == "decided")
 
     @property
     def statuses(self) -> dict[Status, str]:
@@ -149,6 +161,7 @@ def domain(result: Result) -> tuple[str, ...]:
 def details(result: Result) -> tuple[str, ...]:
     """Return further lines about a claim of a file: a point outside its condition, what mends it, what it needs."""
     return (
+        *([result.caution] if result.caution else []),
         *([result.outside.point] if result.outside else []),
         *([result.cuts] if result.cuts else []),
         *(f"true with: {change}" for change in result.changes),
@@ -176,7 +189,7 @@ def subject(result: Result) -> str:
 def command(result: Result) -> str:
     """Return the command that prints the entry with its counterexample."""
     if result.paper not in about.PAPERS:
-        return f"dualcay verify {result.equation.source} --eq {result.equation.number}"
+        return f"dualcay verify {quote(result.equation.source)} --eq {quote(result.equation.number)}"
     return f"dualcay verify --paper {result.paper} --eq {result.equation.number}"
 
 

@@ -136,6 +136,16 @@ def twist_dot(trace: Geometry) -> Results:
     return *found.re, *found.du
 
 
+def screw_twist(trace: Geometry) -> Results:
+    """Twist ``T d = (f + h x) d`` of a step d on the screw of v, and its derivative by s where v = s d."""
+    point, d = trace.point(), trace.point("d").v
+    f, h, fy, hy = point.lifted("tangent_dot_scalars", ("f", "h", "fy", "hy"))
+    x, along = Dual(point.x, trace.name("yy", 2 * point.y)), trace.name("along", point.v.dot(d))
+    slope = trace.name("slope", trace.name("bend", fy + 2 * h + hy * x) * along)
+    found, change = trace.name("rate", f + h * x) * d, slope * d
+    return *found.re, *found.du, *change.re, *change.du
+
+
 def rate_dot(trace: Geometry) -> Results:
     """Time derivative of the rate v̇ = T⁻¹ ω: ``T⁻¹ ω̇ + (d/dt T⁻¹) ω``, in products of v, ω and ω̇ without v̇.
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from functools import partial
 
+from ..lowering.calculus import screw_twist
 from ..lowering.forward import LOCAL, PROGRAMS
 from ..lowering.point import traced
 from ..lowering.scalar_programs import SCALARS, powers_of_factor
@@ -23,8 +24,8 @@ class Numpy(PythonTarget):
     name = "numpy"
     options = "axis: int = -1, out: Array | None = None"
     files = (
-        *PythonTarget.files, "_arguments.py", "_covariances.py", "_curve.py", "_kernel.py", "_means.py", "_motion.py",
-        "_multiple.py", "_native.py", "_numbers.py", "_other_vectors.py", "_prepared.py", "_program.py",
+        *PythonTarget.files, "_arguments.py", "_covariances.py", "_curve.py", "_factors.py", "_kernel.py", "_means.py",
+        "_motion.py", "_multiple.py", "_native.py", "_numbers.py", "_other_vectors.py", "_prepared.py", "_program.py",
         "_propagate.py", "_recorder.py", "_sequences.py", "_solving.py", "_spline.py", "_stepping.py", "_switching.py",
         "_trajectory.py", "_twist.py", "extended.py", "interop.py",
     )  # fmt: skip
@@ -61,7 +62,7 @@ def derived() -> Data:
     called = {call.function for name in STEP_KERNELS for call in geometry()[name].calls}
     scalars = {name: program for name, program in lower_chart(LOCAL).scalars.items() if name in called}
     return {
-        "programs": [printed_program(traced(recipe)) for recipe in PROGRAMS],
+        "programs": [printed_program(traced(recipe)) for recipe in (*PROGRAMS, screw_twist)],
         "title": LOCAL.parameter,
         **printed_scalars(LOCAL, scalars),
         "powers": {name: powers_of_factor(name) for name in SCALARS},

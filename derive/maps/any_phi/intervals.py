@@ -6,7 +6,7 @@ decided. A series about a box has coefficients that enclose those at every point
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from functools import cache, reduce
 from operator import mul
@@ -18,109 +18,6 @@ import mpmath
 import sympy
 
 from ..elementary import BOUND, Quotient, alpha, evaluate
-
-
-class Series:
-    """Series ``c_0 + c_1 t + …``, cut after its given coefficients."""
-
-    def __init__(self, terms: Sequence[Any]) -> None:
-        self.terms = list(terms)
-
-    def _terms_of(self, other: Any) -> Sequence[Any]:
-        return other.terms if isinstance(other, Series) else [other, *[0 * c for c in self.terms[1:]]]
-
-    def __add__(self, other: Any) -> Series:
-        return Series([a + b for a, b in zip(self.terms, self._terms_of(other), strict=True)])
-
-    def __neg__(self) -> Series:
-        return Series([-c for c in self.terms])
-
-    def __sub__(self, other: Any) -> Series:
-        return self.__add__(-1 * other)
-
-    def __rsub__(self, other: Any) -> Series:
-        return self.__neg__().__add__(other)
-
-    def __mul__(self, other: Any) -> Series:
-        if not isinstance(other, Series):
-            return Series([c * other for c in self.terms])
-        return Series([_product(self.terms, other.terms, k) for k in range(len(self.terms))])
-
-    def __truediv__(self, other: Any) -> Series:
-        if not isinstance(other, Series):
-            return Series([c / other for c in self.terms])
-        found = list[Any]()
-        for k, c in enumerate(self.terms):
-            found.append((c - _product(found, other.terms, k)) / other.terms[0])
-        return Series(found)
-
-    def __rtruediv__(self, other: Any) -> Series:
-        return Series(self._terms_of(other)) / self
-
-    def __pow__(self, count: int) -> Series:
-        value = 0 * self + 1
-        for _ in range(count):
-            value = value * self
-        return value
-
-    __radd__, __rmul__ = __add__, __mul__
-
-    @property
-    def slope(self) -> Series:
-        """Derivative, with a last coefficient of 0 that `with_slope` does not read."""
-        return Series([*(k * c for k, c in enumerate(self.terms) if k), 0 * self.terms[0]])
-
-    def with_slope(self, first: Any) -> Series:
-        """Return the series that begins with a value and has this series as derivative."""
-        return Series([first, *(c / k for k, c in enumerate(self.terms[:-1], 1))])
-
-
-def _product(a: Sequence[Any], b: Sequence[Any], order: int) -> Any:
-    """Return the coefficient of an order in a product of series; coefficients beyond the lists are left out."""
-    return sum(a[i] * b[order - i] for i in range(max(0, order - len(b) + 1), min(order + 1, len(a))))
-
-
-def library(base: Any) -> SimpleNamespace:
-    """Return elementary functions of series, from those of their coefficients."""
-
-    def paired(u: Series, first: Sequence[Any], sides: Sequence[int]) -> Sequence[Series]:
-        """Return y and z with ``y′ = a z u′`` and ``z′ = b y u′`` for two signs."""
-        rates, y, z = u.slope.terms, [first[0]], [first[1]]
-        for k in range(1, len(rates)):
-            rise, fall = (_product(rates, of, k - 1) / k for of in (z, y))
-            y, z = [*y, sides[0] * rise], [*z, sides[1] * fall]
-        return Series(y), Series(z)
-
-    def circular(u: Series) -> Sequence[Series]:
-        return paired(u, (base.sin(u.terms[0]), base.cos(u.terms[0])), (1, -1))
-
-    def hyperbolic(u: Series) -> Sequence[Series]:
-        return paired(u, (base.sinh(u.terms[0]), base.cosh(u.terms[0])), (1, 1))
-
-    def exp(u: Series) -> Series:
-        return paired(u, 2 * (base.exp(u.terms[0]),), (1, 1))[0]
-
-    def sqrt(u: Series) -> Series:
-        found = [base.sqrt(u.terms[0])]
-        for k in range(1, len(u.terms)):
-            found.append((u.terms[k] - _product(found[1:], found[1:], k - 2)) / (2 * found[0]))
-        return Series(found)
-
-    def arc(name: str, slope: Any) -> Any:
-        return lambda u: (u.slope * slope(u)).with_slope(getattr(base, name)(u.terms[0]))
-
-    def tanh(u: Series) -> Series:
-        sine, cosine = hyperbolic(u)
-        return sine / cosine
-
-    return SimpleNamespace(
-        sin=lambda u: circular(u)[0], cos=lambda u: circular(u)[1], exp=exp, sqrt=sqrt, tanh=tanh,
-        sinh=lambda u: hyperbolic(u)[0], cosh=lambda u: hyperbolic(u)[1], log=arc("log", lambda u: 1 / u),
-        asin=arc("asin", lambda u: 1 / sqrt(1 - u * u)), acos=arc("acos", lambda u: -1 / sqrt(1 - u * u)),
-        atan=arc("atan", lambda u: 1 / (1 + u * u)), asinh=arc("asinh", lambda u: 1 / sqrt(1 + u * u)),
-        atanh=arc("atanh", lambda u: 1 / (1 - u * u)), constant=base.constant,
-    )  # fmt: skip
-
 
 BITS = 224
 """Working precision of enclosures: more than 60 digits."""
@@ -138,7 +35,7 @@ class Undecided(Exception):
 
 
 class Intervals:
-    """Enclosures as ``arb`` and ``acb`` of python-flint, with libraries of their real and complex functions."""
+    """Enclosures as ``arb`` and ``acb`` of python-flint, with libraries of functions of these and of series."""
 
     def __init__(self) -> None:
         entire = {name: _method(name) for name in WITHOUT_CUTS} | {"constant": self._constant, "power": self._power}
@@ -146,6 +43,7 @@ class Intervals:
         self.complex = SimpleNamespace(**entire, **cut)
         circular = {"sin": self._sin, "cos": lambda a: self._sin(a + flint.arb.pi() / 2)}
         self.real = SimpleNamespace(**(entire | circular), **{name: _method(name) for name in cut})
+        self.series = SimpleNamespace(**_of_series(self.complex))
 
     def _sin(self, a: Any) -> Any:
         """Return the sine, by ``sin(m + t) = sin m (1 − 2 sin² t/2) + cos m sin t``; python-flint widens by t."""
@@ -216,16 +114,17 @@ class Intervals:
     def _terms(self, e: Quotient, side: Any) -> tuple[list[Any], Any] | None:
         """Return the terms of a quotient at 0, and c_M for a square about 0; None if N is not analytic there."""
         count, along = e.power + TERMS, self.interval(-side, side)
-        point, square = (
-            Series([middle, 1 + 0 * middle, *[0 * middle] * (count - 1)])
-            for middle in (self.interval(mpmath.mpf(0), mpmath.mpf(0)), self.rectangle(along, along))
-        )
+        before, flint.ctx.cap = flint.ctx.cap, count + 1
         try:
-            first, rest = (evaluate(e.above, BOUND, at, library(self._library(at.terms[0]))) for at in (point, square))
-        except (Undecided, ZeroDivisionError, ValueError, OverflowError, mpmath.libmp.ComplexResult):
+            places = flint.acb(0), self.rectangle(along, along)
+            abouts = (flint.acb_series([middle, 1], count + 1) for middle in places)
+            first, rest = (evaluate(e.above, BOUND, about, self.series) for about in abouts)
+        except (Undecided, ZeroDivisionError, ValueError, OverflowError):
             return None
-        bound = rest.terms[-1]
-        return (first.terms[e.power : -1], bound) if mpmath.isfinite(self.size(bound)[1]) else None
+        finally:
+            flint.ctx.cap = before
+        known = min(first.prec, rest.prec) > count and mpmath.isfinite(self.size(rest[count])[1])
+        return ([first[k].real for k in range(e.power, count)], rest[count]) if known else None
 
     def _is_real(self, at: Any) -> bool:
         return isinstance(at, flint.arb)
@@ -233,6 +132,29 @@ class Intervals:
 
 def _method(name: str) -> Function:
     return lambda a: getattr(a, name)()
+
+
+def _of_series(of: SimpleNamespace) -> dict[str, Function]:
+    """Return functions of power series, from those of their first coefficients, which are boxes about real numbers.
+
+    Such a box that touches a branch cut contains the branch point, and so the slope has no finite enclosure there.
+    """
+    i = flint.acb(0, 1)
+
+    def arc(name: str, slope: Function) -> Function:
+        return lambda u: (u.derivative() * slope(u)).integral() + getattr(of, name)(u[0])
+
+    def sqrt(u: Any, power: int = 1) -> Any:
+        return (power * log(u) / 2).exp()  # narrower than python-flint's roots
+
+    log = arc("log", lambda u: 1 / u)
+    return {
+        **{name: _method(name) for name in ("sin", "cos", "exp")}, "constant": of.constant, "log": log, "sqrt": sqrt,
+        "sinh": lambda u: -i * (i * u).sin(), "cosh": lambda u: (i * u).cos(),
+        "tanh": lambda u: -i * (i * u).sin() / (i * u).cos(), "atan": arc("atan", lambda u: 1 / (1 + u * u)),
+        "asin": arc("asin", lambda u: sqrt(1 - u * u, -1)), "acos": arc("acos", lambda u: -sqrt(1 - u * u, -1)),
+        "asinh": arc("asinh", lambda u: sqrt(1 + u * u, -1)), "atanh": arc("atanh", lambda u: 1 / (1 - u * u)),
+    }  # fmt: skip
 
 
 def _with_cuts(log: Function, sqrt: Function, i: Any) -> dict[str, Function]:

@@ -37,7 +37,8 @@ def increasing(name: str, t: ArrayLike) -> Array:
     return times
 
 
-def require_one_of(name: str, value: str, allowed: tuple[str, ...]) -> None:
-    """Raise ValueError unless a value is one of those allowed."""
+def require_one_of(name: str, value: str, allowed: tuple[str, ...]) -> str:
+    """Return a value; raise ValueError unless it is one of those allowed."""
     if value not in allowed:
         raise ValueError(f"{name} must be one of {', '.join(map(repr, allowed))}, got {value!r}")
+    return value

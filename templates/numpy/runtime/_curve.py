@@ -4,21 +4,22 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any, TypeAlias
+from math import comb
+from typing import Any
 
 import numpy as np
-from numpy.polynomial import polynomial
 
+from ._factors import COEFFICIENTS, STEPS, bracket, programs, shares
 from ._kernel import Array
 from ._motion import OfModule
+from ._runtime import call
 from ._tools import matrix6
 
 IMAGINARY = 1e-20
 """Imaginary step of the derivative of ``body_tangent_dot``, whose square is lost beside 1: exact within rounding."""
 
-
-Factors: TypeAlias = tuple[Array, Array, list[Array]]
-"""Spans of times, steps of three factors, and their parts λ with time derivatives."""
+BLOCK = 4096
+"""Number of times computed at once, whose values fit into the cache."""
 
 
 @dataclass(frozen=True)
@@ -26,6 +27,10 @@ class Group(OfModule):
     """Poses (..., 4, 4), or rotations (..., 3, 3), of a kernel module. Twists have ``size`` 6 or 3 components."""
 
     module: Any
+
+    def __post_init__(self) -> None:
+        if not hasattr(self.module, "from_exponential"):
+            raise TypeError(f"module must be a kernel module, as cayley2 is, got {self.module!r}")
 
     @cached_property
     def size(self) -> int:
@@ -55,32 +60,13 @@ class Group(OfModule):
             found[..., :3, 3] = (turned @ (Y[..., :3, 3] - X[..., :3, 3])[..., None])[..., 0]
         return found
 
-    def adjoint(self, X: Array) -> Array:
-        """Return the matrices that take body twists to the space frame."""
-        Q = X[..., :3, :3]
-        if self.size == 3:
-            return Q
-        moved = np.cross(X[..., None, :3, 3], Q.swapaxes(-1, -2)).swapaxes(-1, -2)
-        return np.asarray(matrix6(np.stack([Q, moved], axis=-3)))
-
-    def carried(self, v: Array, w: Array) -> Array:
-        """Return twists after a motion by v."""
-        return np.asarray((self.module.transform_line if self.size == 6 else self.module.transform_point)(v, w))
-
     def operator(self, tensor: Array) -> Array:
         """Return the matrix of a tensor of the module on twists."""
         return matrix6(tensor) if self.size == 6 else tensor
 
-    def bracket(self, w: Array, x: Array) -> Array:
-        """Return the bracket of twists, the derivative of x if the twist w carries it."""
-        turned = np.cross(w[..., :3], x[..., :3])
-        if self.size == 3:
-            return np.asarray(turned)
-        return np.concatenate([turned, np.cross(w[..., :3], x[..., 3:]) + np.cross(w[..., 3:], x[..., :3])], axis=-1)
-
     def bracket_by(self, w: Array) -> Array:
         """Return the matrix that takes x to the bracket of w and x."""
-        return self.bracket(w[..., None, :], np.eye(self.size)).swapaxes(-1, -2)
+        return np.stack(bracket([*w.T[..., None]], [*np.eye(self.size)[:, None]]), axis=-2)
 
 
 @dataclass(frozen=True)
@@ -107,107 +93,104 @@ class Curve:
         return -operator(module.tangent_inv(self.steps)), operator(module.body_tangent_inv(self.steps))
 
     @cached_property
-    def table(self) -> Array:
-        """Coefficients of λ₁, λ₂, λ₃ by powers of the part u of a span that has passed, shape (4, 3, spans).
+    def spans(self) -> Array:
+        """Columns of data of a span: 1/length, coefficients of three parts λ by powers, three steps, control pose.
 
-        λ is a sum of cubic B-splines. Its slope is 3 Q/s with a quadratic B-spline Q and the length s of its knots.
+        A part λ is a sum of cubic B-splines of the share u of the span that has passed. Its slope is 3 Q/s with a
+        quadratic B-spline Q and the length s of its knots.
         """
         a, b, c, d, e, f = (self.knots[k : len(self.knots) - 7 + k] for k in range(1, 7))
         h = d - c
         early, late = h / (d - b), h / (e - c)
         quadratic = [[early, -2 * early, early], [1 - early, 2 * early, -early - late], [0 * h, 0 * h, late]]
-        weights = 3 * h / np.array([d - a, e - b, f - c])
-        rising = np.array(quadratic) * weights[:, None] / np.array([1, 2, 3])[:, None]
-        start = np.array([1 - h * early / (d - a), (1 - early) * (c - b) / (e - b), 0 * h])
-        return np.ascontiguousarray(np.concatenate([start[:, None], rising], axis=1).swapaxes(0, 1))
+        starts = 1 - h * early / (d - a), (1 - early) * (c - b) / (e - b), 0 * h
+        rows = [1 / h]
+        for start, length, slope in zip(starts, (d - a, e - b, f - c), quadratic):
+            rows += [start, *(3 * h / length * part / k for k, part in enumerate(slope, 1))]
+        steps = (self.steps[k : len(self.steps) - 2 + k].T for k in range(3))
+        return np.concatenate([rows, *steps, self.controls[: len(h), :3].reshape(len(h), -1).T])
 
-    @cached_property
-    def adjoints(self) -> Array:
-        return self.group.adjoint(self.controls)
-
-    def factors(self, t: Array, order: int) -> Factors:
-        """Return spans of times, the steps of their factors (3, T, size), and λ, λ̇, … (3, T, 1)."""
+    def place(self, t: Array) -> tuple[Array, Array]:
+        """Return the spans of times, and the share of the span that has passed."""
         span = np.clip(np.searchsorted(self.breaks, t, side="right") - 1, 0, len(self.breaks) - 2)
-        length = np.diff(self.breaks)[span]
-        part, powers = (t - self.breaks[span]) / length, np.take(self.table, span, axis=-1)
-        derivatives = []
-        for k in range(order + 1):
-            derivatives.append((polynomial.polyval(part, powers, tensor=False) / length**k)[..., None])
-            powers = polynomial.polyder(powers)
-        return span, np.take(self.steps, span + np.arange(3)[:, None], axis=0), derivatives
+        return span, (t - self.breaks[span]) / np.diff(self.breaks)[span]
 
-    def poses(self, factors: Factors) -> Array:
-        span, d, (part, *_) = factors
-        first, second, third = self.group.matrix(part * d)
-        return np.asarray(np.take(self.controls, span, axis=0) @ first @ second @ third)
+    def parts(self, t: Array) -> tuple[Array, Array]:
+        """Return control poses of times (T, 4), and λ, λ̇, λ̈ of three factors, shape (3, T, 3)."""
+        span, share = self.place(t)
+        coefficients = self.spans[COEFFICIENTS:STEPS, span].reshape(3, 4, -1).swapaxes(0, 1)
+        parts = shares(share, self.spans[0, span], [*coefficients])
+        return span[:, None] + np.arange(4), np.array(parts).swapaxes(1, 2)
 
-    def twists(self, factors: Factors, frame: str = "body") -> list[Array]:
-        """Return the twists (T, size), and their time derivatives if the factors have second ones.
-
-        Twist and step of a factor have one screw, so its twist is the same in both of its frames.
-        """
-        (span, d, (part, *_)), group, side = factors, self.group, 1 if frame == "space" else -1
-        own = [values[::-side] for values in self._own_twists(factors)]
-        found = [values[0] for values in own]
-        for m, place in enumerate((side * part * d)[::-side][1:], 1):
-            before = [group.carried(place, one) for one in found]
-            found = [one + values[m] for one, values in zip(before, own)]
-            if len(found) == 2:
-                found[1] -= side * group.bracket(before[0], own[0][m])
-        if frame == "space":
-            found = [(np.take(self.adjoints, span, axis=0) @ one[..., None])[..., 0] for one in found]
+    def values(self, name: str, t: Array) -> Array:
+        """Return a quantity of `ORDERS` at times (T,), block by block in the same memory."""
+        chart, name = programs(self.group.module.CHART), f"spline_{name}"
+        found = np.empty((len(t), *chart.kernels[name].shape))
+        rows = np.empty((len(self.spans), min(len(t), BLOCK)))
+        for start in range(0, len(t), BLOCK):
+            block = slice(start, start + BLOCK)
+            span, share = self.place(t[block])
+            data = np.take(self.spans, span, axis=1, out=rows[:, : len(span)], mode="clip")
+            call(chart, name, 0, np.moveaxis(found[block], 0, -1), share, data)
         return found
 
-    def _own_twists(self, factors: Factors) -> list[Array]:
-        """Return the twists of the factors (3, T, size), and their time derivatives if asked for."""
-        _, d, (part, *rates) = factors
-        kernels = self.group.module.body_twist, self.group.module.body_twist_dot
-        given = [part * d, *(rate * d for rate in rates)]
-        return [kernel(*given[: k + 2]) for k, kernel in enumerate(kernels[: len(rates)])]
-
-    def jacobians(self, factors: Factors) -> list[Array]:
-        """Return derivatives (T, 4, size, size) of pose, body twist and its derivative by steps of control poses."""
-        size, count = self.group.size, len(factors[0])
-        pose, rate, second = self.variations(factors)
-        by_twist, by_change = map(self.group.bracket_by, self.twists(factors))
+    def jacobians(self, t: Array) -> list[Array]:
+        """Return control poses (T, 4), and derivatives (T, 4, size, size) of pose, body twist and its derivative."""
+        size, (index, pose, rate, second) = self.group.size, self.variations(t, 2)
+        twists = self.values("body_twist", t), self.values("body_acceleration", t)
+        by_twist, by_change = map(self.group.bracket_by, twists)
         found = pose, rate + by_twist @ pose, second + by_change @ pose + by_twist @ rate
-        return [part.reshape(count, size, 4, size).swapaxes(1, 2) for part in found]
+        return [index, *(part.reshape(-1, size, 4, size).swapaxes(1, 2) for part in found)]
 
-    def variations(self, factors: Factors) -> Array:
-        """Return the body step of the pose by body steps of its control poses, and its time derivatives.
+    def variations(self, t: Array, order: int) -> list[Array]:
+        """Return control poses (T, 4), the body step of the pose by theirs (T, size, 4 size), and time derivatives.
 
-        The shape is (orders, T, size, 4 size). A factor A takes a step ε to A⁻¹ ε A and adds ``T(λd) λ δd``.
+        A factor A takes a step ε to A⁻¹ ε A and adds G δd.
         """
-        (span, d, (part, *_)), size, order = factors, self.group.size, len(factors[2]) - 1
-        gains, back = self._gains(factors), self.group.module.adjoint(-part * d)
-        turning = [self.group.bracket_by(w) for w in self._own_twists(factors)]
-        found = np.zeros((order + 1, len(span), size, 4 * size))
-        found[0, :, :, :size] = np.eye(size)
-        for m in range(3):
-            moved = back[m] @ found
-            found = moved.copy()
-            if order:
-                found[1] -= turning[0][m] @ moved[0]
-            if order == 2:
-                found[2] -= turning[0][m] @ (moved[1] + found[1]) + turning[1][m] @ moved[0]
-            for pose, slope in zip((m, m + 1), self.slopes):
-                found[..., pose * size : (pose + 1) * size] += gains[:, m] @ slope[span + m]
-        return found
+        (index, parts), size = self.parts(t), self.group.size
+        found = [np.zeros((len(t), size, 4 * size)) for _ in range(order + 1)]
+        found[0][:, :, :size] = np.eye(size)
+        for k in range(3):
+            row = index[:, k]
+            back, gains = self._factor(self.steps[row], parts[: order + 1, :, k, None])
+            terms = [[comb(n, i) * back[i] @ found[n - i] for i in range(n + 1)] for n in range(order + 1)]
+            found = [np.sum(one, axis=0) for one in terms]
+            for one, gain in zip(found, gains):
+                for place, slope in enumerate(self.slopes, k):
+                    one[..., place * size : (place + 1) * size] += gain @ slope[row]
+        return [index, *found]
 
-    def _gains(self, factors: Factors) -> Array:
-        """Return ``G = λ T(λd)`` and its time derivatives, shape (orders, 3, T, size, size)."""
-        module, operator, (_, d, parts) = self.group.module, self.group.operator, factors
-        v, (part, *rates) = parts[0] * d, (one[..., None] for one in parts)
-        T = operator(module.body_tangent(v))
-        found = [part * T]
+    def _factor(self, d: Array, parts: Array) -> tuple[list[Array], list[Array]]:
+        """Return the matrices of ε ↦ A⁻¹ ε A and of ``G = λ T(λd)``, and their time derivatives."""
+        group, module, (part, *rates) = self.group, self.group.module, parts
+        v, rate_of_v = part * d, [rate * d for rate in rates]
+        T = group.operator(module.body_tangent(v))
+        back, gains = [module.adjoint(-v)], [part[..., None] * T]
         if rates:
-            T_dot = operator(module.body_tangent_dot(v, d))
-            slope = T + part * T_dot
-            found.append(rates[0] * slope)
-        if len(rates) == 2:
-            curved = operator(module.body_tangent_dot(v + 1j * IMAGINARY * d, d + 0j).imag / IMAGINARY)
-            found.append(rates[1] * slope + rates[0] ** 2 * (2 * T_dot + part * curved))
-        return np.array(found)
+            turning = group.bracket_by(module.body_twist(v, rate_of_v[0]))
+            changing = group.bracket_by(module.body_twist_dot(v, *rate_of_v))
+            back += [-turning @ back[0], (turning @ turning - changing) @ back[0]]
+            T_dot = group.operator(module.body_tangent_dot(v, d))
+            curved = group.operator(module.body_tangent_dot(v + 1j * IMAGINARY * d, d + 0j).imag / IMAGINARY)
+            part, rate, change = (one[..., None] for one in parts)
+            gains += [rate * (T + part * T_dot), change * (T + part * T_dot) + rate**2 * (2 * T_dot + part * curved)]
+        return back, gains
+
+
+def of_controls(group: Group, t: Array, controls: Array, period: float | None) -> Curve:
+    """Return the curve with given control poses."""
+    count = len(controls)
+    if period is not None:
+        if len(t) != count + 1:
+            raise ValueError(f"t must have {count + 1} knots for a closed curve of {count} control poses, got {len(t)}")
+        knots, controls = around(t), controls[np.arange(-1, count + 2) % count]
+    elif count >= 4 and len(t) in (count - 2, count):
+        knots = clamped(t if len(t) < count else np.delete(t, [1, -2]))
+    elif count >= 4 and len(t) == count + 4:
+        knots = t
+    else:
+        raise ValueError(f"t must have N, N - 2 or N + 4 knots for N ≥ 4 control poses, got {len(t)} for {count}")
+    return Curve(group, knots, controls, group.steps(controls))
 
 
 def clamped(t: Array) -> Array:

@@ -8,7 +8,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ._covariances import require_frame
+from ._arguments import require_one_of
+from ._covariances import FRAMES
 from ._kernel import Array
 from ._runtime import as_array
 
@@ -65,7 +66,7 @@ def mean(
     >>> np.allclose(m, np.arange(6) / 10), np.diag(P).round(2)
     (True, array([0.09, 0.  , 0.  , 0.  , 1.  , 0.  ]))
     """
-    require_frame(frame)
+    require_one_of("frame", frame, FRAMES)
     n, shape = len(module.identity()), np.shape(v)
     if len(shape) < 2 or shape[-1] != n or not shape[-2]:
         raise ValueError(f"v must have shape (..., N, {n}) with at least one pose, got {shape}")

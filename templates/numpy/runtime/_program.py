@@ -155,14 +155,15 @@ class _Bank:
 class Rows:
     """Assignment of a row to every entry of a tape: an output's own row, or a row of scratch that is used again.
 
-    Entries are ``operations`` on earlier entries. The entries in ``fixed`` are None: arguments and constants.
+    Entries are ``operations`` on earlier entries, run in an ``order``. The entries in ``fixed`` are None: arguments and
+    constants.
     """
 
     def __init__(
-        self, operations: Sequence[Operation | None], truths: Set[int], fixed: Sequence[int], outputs: Sequence[int]
-    ) -> None:
-        self.operations, self.truths, self.fixed, self.outputs = operations, truths, fixed, outputs
-        self.order = order = ordered(operations, outputs)
+        self, operations: Sequence[Operation | None], truths: Set[int], fixed: Sequence[int], outputs: Sequence[int],
+        order: Sequence[int],
+    ) -> None:  # fmt: skip
+        self.operations, self.truths, self.fixed, self.outputs, self.order = operations, truths, fixed, outputs, order
         self.scratch, self.masks = _Bank(), _Bank()
         self.views: dict[int, int] = {}
         made = {index: step for step, index in enumerate(order)}

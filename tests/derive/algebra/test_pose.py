@@ -16,7 +16,6 @@ from derive.algebra.pose import (
     distance,
     distance_of_parallels,
     foot,
-    line_through,
     natural_invariants,
     pose_from_tensor,
     quaternion_from_screw,
@@ -40,9 +39,12 @@ def draw_pose(draw):
     return pose
 
 
+def line_through(point: Vector, direction: Vector) -> Vector:
+    return Vector.dual(direction, point.cross(direction))
+
+
 def screw(angle, distance, direction, point) -> Screw:
-    u = Vector(*direction)
-    return Screw(Dual(angle, distance), Vector.dual(u, Vector(*point).cross(u)))
+    return Screw(Dual(angle, distance), line_through(Vector(*point), Vector(*direction)))
 
 
 def test_isomorphism(draw_pose, gap) -> None:

@@ -7,8 +7,8 @@ import pytest
 from derive.claims.decide import decide
 from derive.claims.deciding.claim import Claim
 from derive.claims.deciding.existence import undecided_parts
+from derive.claims.deciding.identity import proved
 from derive.claims.deciding.ordering import ordered
-from derive.claims.deciding.proof import proved
 from derive.claims.deciding.split import split
 from derive.claims.sheet import claim_alone
 

@@ -10,8 +10,7 @@ from derive.algebra.element import NotExactError
 from derive.claims.decide import _premised
 from derive.claims.deciding.claim import Claim
 from derive.claims.deciding.existence import undecided_parts
-from derive.claims.deciding.identity import MODULO, proved_exactly, proved_modulo
-from derive.claims.deciding.proof import proved
+from derive.claims.deciding.identity import MODULO, proved, proved_exactly, proved_modulo
 from derive.claims.language.operations import written
 from derive.claims.sheet import claim_alone
 from docs.pages.field_facts import sheets

@@ -76,7 +76,7 @@ def test_rotations_have_a_module_for_each_chart_and_a_geometry_if_poses_share_on
 
 @pytest.mark.parametrize("target", TARGETS)
 def test_release_changes_files_that_tell_the_version(target: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    before = dict(shared_texts(TARGETS[target]))
+    before = printed(target).shared
     monkeypatch.setattr(about, "__version__", "99.1.2")
     after = shared_texts(TARGETS[target])
     # tools of the language read the version there

@@ -70,14 +70,17 @@ TRANSCRIPT = re.search(r"```toml\n(.*?)```", (ROOT / "docs/howto/extend.md").rea
 
 def test_transcript_of_a_user_is_decided_without_registration(tmp_path: Path) -> None:
     wrong = '[[equation]]\nnumber = "4"\nlatex = "f = f^{*}"\nclaim = "f == fs"\n'
-    (tmp_path / "mine.toml").write_text(TRANSCRIPT + wrong, encoding="utf-8")
-    right, false = derive.verify(tmp_path / "mine.toml")
+    words = '[[equation]]\nnumber = "5"\ntitle = "a name"\nsaid = "called f"\nundecided = "a name is no statement"\n'
+    (tmp_path / "mine.toml").write_text(TRANSCRIPT + wrong + words, encoding="utf-8")
+    right, false, named = derive.verify(tmp_path / "mine.toml")
     assert (right.status, right.method, right.exact) == (Status.HOLDS_IF, "exact", True)
     assert false.status is Status.UNDECIDED
     assert false.method.startswith("(4) is false and has no correction: refuted at ")
+    assert (named.status, named.method) == (Status.UNDECIDED, "a name is no statement")
     shown = dualcay("verify", str(tmp_path / "mine.toml"), "--strict")
     assert shown.returncode == 1
     assert "(4) is false" in shown.stdout
+    assert "a name is no statement" in shown.stdout
 
 
 @pytest.mark.parametrize(
@@ -101,16 +104,6 @@ def test_named_relation_is_as_exact_as_its_definition(relation: str) -> None:
 [[equation]]\nnumber = "1"\nclaim = "named(x)"'''
     (entry,) = sheet(text, "named.toml").entries()
     assert decide("named", entry).method == "exact"
-
-
-def test_words_that_are_no_formula_are_undecided_for_the_reason_given(tmp_path: Path) -> None:
-    row = '[[equation]]\nnumber = "4"\ntitle = "a name"\nsaid = "called f"\nundecided = "a name is no statement"\n'
-    (tmp_path / "mine.toml").write_text(TRANSCRIPT + row, encoding="utf-8")
-    _, named = derive.verify(tmp_path / "mine.toml")
-    assert (named.status, named.method) == (Status.UNDECIDED, "a name is no statement")
-    shown = dualcay("verify", str(tmp_path / "mine.toml"), "--strict")
-    assert shown.returncode == 1
-    assert "a name is no statement" in shown.stdout
 
 
 @pytest.mark.parametrize(

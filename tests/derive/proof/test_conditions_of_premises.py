@@ -7,7 +7,6 @@ from dataclasses import replace
 import pytest
 import sympy
 
-from derive.proof.calculus_theorems import GROWING_ORDER
 from derive.proof.displacement_theorems import TURNED
 from derive.proof.identity import Equation, Premise, definition
 from derive.proof.map_theorems import (
@@ -26,7 +25,6 @@ from derive.proof.map_theorems import (
 )
 from derive.proof.methods import Identity, Theorem
 from derive.proof.notation import Shifted, m, n, p, p_double, p_m, p_sum, q, q_double, q_m, q_sum, v, x
-from derive.proof.phi_theorems import ANY_PHI
 from derive.proof.proved import STATED
 from derive.proof.setting import Setting, Symbols
 from docs.pages.controls import controls
@@ -44,23 +42,6 @@ def test_a_theorem_at_one_order_is_no_premise_for_others() -> None:
     assert proved["special"].proved
     assert not general.decide(proved).proved
     assert replace(general, scope="n = 1").decide(proved).proved
-
-
-TERMS = {p: n, q: n, p_m: m, q_m: m, p_sum: m + n, q_sum: m + n, p_double: 2 * n, q_double: 2 * n}
-INSTANCES = [
-    premise
-    for theorem in (*STATED, *ANY_PHI, *GROWING_ORDER)
-    for premise in theorem.premises
-    if premise.instance
-]
-
-
-@pytest.mark.parametrize("premise", INSTANCES, ids=str)
-def test_instances_need_terms_of_the_same_index(premise: Premise) -> None:
-    changes = dict(premise.instance)
-    index = {symbol: at for symbol, at in changes.items() if symbol in (m, n)}
-    for symbol in changes.keys() & TERMS.keys():
-        assert TERMS[changes[symbol]] == TERMS[symbol].xreplace(index)
 
 
 @pytest.mark.parametrize(

@@ -11,7 +11,6 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from derive.algebra.element import Element, NotExactError
-from derive.algebra.exact import RationalFunctions
 from derive.proof import Ring
 
 pytestmark = pytest.mark.smoke
@@ -136,23 +135,6 @@ def test_errors_say_what_is_wrong() -> None:
     _raises(lambda: exact.lift("x", {x: one_plus}), TypeError, "expected a SymPy expression")
 
 
-def test_square_roots() -> None:
-    exact = ring()
-    square = exact.x
-    for radicand, expected in (
-        ((1 + square) ** 6 / 4, (1 + square) ** 3 / 2),
-        (square**2, square),
-        ((1 - 3 * square) ** 2 / (1 + square) ** 2, (1 - 3 * square) / (1 + square)),
-        ((3 * square - 1) ** 2, 1 - 3 * square),
-        ((2 + 2 * square) * (1 + square) / 8, (1 + square) / 2),
-        (exact.constant(Fraction(9, 4)), exact.constant(Fraction(3, 2))),
-        (exact.constant(0), exact.constant(0)),
-    ):
-        assert radicand.sqrt() == expected
-    block = np.array([square**2, (1 + square) ** 4], dtype=object)
-    assert np.sqrt(block)[1] == (1 + square) ** 2
-
-
 def test_square_roots_of_odd_powers() -> None:
     for root in (1, -1, 4, -9):
         exact = ring(root)
@@ -186,16 +168,6 @@ def test_derivatives(root: int) -> None:
     _raises(lambda: exact.derivatives(expression, x, 2 * square, 1), ValueError, "by the square of v")
 
 
-def test_denominators_are_cleared_by_their_least_multiple() -> None:
-    exact = ring()
-    one_plus = 1 + exact.x
-    elements = [1 / one_plus, exact.constant(Fraction(1, 2)), exact.symbol("v1") / one_plus**2]
-    numerators, denominator = exact.cleared(elements)
-    assert denominator == one_plus**2
-    assert all(n == e * denominator for n, e in zip(numerators, elements, strict=True))
-    assert all(n.denominator == exact.library.one for n in numerators)
-
-
 def test_quotients_are_in_lowest_terms() -> None:
     exact = ring()
     one_plus, one = 1 + exact.x, exact.library.one
@@ -210,13 +182,6 @@ def test_quotients_are_in_lowest_terms() -> None:
     assert (zero.numerator, zero.denominator) == (exact.library.zero, one)
 
 
-def test_components_divide() -> None:
-    exact = ring()
-    v1, v2, v3 = exact.v
-    assert (v3 * v2) / v3 == v2
-    assert 1 / (v1 + v3) * (exact.x - v2 * v2 + 2 * v1 * v3) == v1 + v3
-
-
 def test_functions_of_the_square_are_ordered_near_zero():
     exact = ring()
     square = exact.x
@@ -226,12 +191,6 @@ def test_functions_of_the_square_are_ordered_near_zero():
     assert not square > square
     with pytest.raises(NotExactError, match="depends on v1 has no sign"):
         _ = exact.symbol("v1") > 0
-
-
-def test_every_number_to_the_power_0_is_1():
-    field = RationalFunctions(("x",))
-    assert field.constant(0) ** 0 == 1
-    assert field.symbol("x") ** 0 == 1
 
 
 @pytest.mark.parametrize("root", [0, 1, -4])
