@@ -26,6 +26,7 @@ MISSING = {
         ("rust", shutil.which("cargo"), "cargo is not found (install Rust)"),
         ("node", node.find(), node.MISSING),
         ("coq", shutil.which("coqc"), "Coq is not installed (apt-get install coq)"),
+        ("vex", importlib.util.find_spec("cle"), "cle is not installed (extra 'bytes')"),
         ("octave", shutil.which("octave-cli"), "GNU Octave is not installed (apt-get install octave)"),
     ]
     if not found
@@ -38,7 +39,7 @@ os.environ.setdefault("DUALCAY_NATIVE", "0")
 
 
 SELECTED = {
-    "browser", "compiler", "coq", "fortran", "gpu", "node", "octave", "rust", "smoke", "thorough", "torch",
+    "browser", "compiler", "coq", "fortran", "gpu", "node", "octave", "rust", "smoke", "thorough", "torch", "vex",
 }  # fmt: skip
 """Markers of this project that select tests."""
 
