@@ -24,8 +24,8 @@ ORDER = {
         "codegen", "pages", "front", "cli", "__main__",
     ),
     "derive.claims": (
-        "numbers", "language", "extracted", "equation", "result", "deciding", "decide", "transcript", "sheet", "run",
-        "report",
+        "numbers", "language", "extracted", "equation", "result", "deciding", "decide", "transcript", "lines", "sheet",
+        "run", "report",
     ),
     "derive.claims.deciding": (
         "terms", "place", "claim", "frames", "solved", "constrained", "singular", "zeros", "polar", "identity", "proof",

@@ -21,6 +21,7 @@ from .language.letters import letters as declared
 from .language.names import Abbreviation, ClaimError, Scope, expanded
 from .language.operations import CONSTANTS, OPERATIONS
 from .language.printed import Symbol, Term
+from .lines import Lines
 from .transcript import READING_KEYS, Transcript
 
 BYTES_MAX = 2_000_000
@@ -44,17 +45,19 @@ class Problem:
     """Part of a file that cannot be read, with its place and what was expected."""
 
     file: str
-    equation: str  # number of the equation, or words for a letter or definition
+    equation: str  # number of the equation, or words for a letter or definition; empty for the file
     column: int | None
     message: str
+    line: int | None = None
 
     def __str__(self) -> str:
-        where = f", column {self.column}" if self.column else ""
-        return f"{self.file}: {self.equation}{where}: {self.message}"
+        file = f"{self.file}:{self.line}" if self.line else self.file
+        where = ", ".join(filter(None, (self.equation, f"column {self.column}" if self.column else "")))
+        return ": ".join(filter(None, (file, where, self.message)))
 
     def as_json(self) -> dict[str, Any]:
         """Return the fields printed by ``--format json``."""
-        return {"file": self.file, "equation": self.equation, "column": self.column, "message": self.message}
+        return {name: getattr(self, name) for name in ("file", "line", "equation", "column", "message")}
 
 
 Content = tuple[tuple["Entry", ...], tuple[Problem, ...]]
@@ -68,6 +71,7 @@ class Sheet(Paper):
     read: Callable[[Collection[str] | None], Content] = field(default=lambda n: ((), ()), repr=False, compare=False)
     numbers: tuple[str, ...] = field(default=(), repr=False)  # of all its equations, in order
     request: tuple[Any, ...] = field(default=(), repr=False)  # arguments that make the sheet again in another process
+    lines: Lines | None = field(default=None, repr=False, compare=False)
 
     @staticmethod
     def made(request: tuple[Any, ...]) -> Sheet:
@@ -76,6 +80,9 @@ class Sheet(Paper):
     @cached_property
     def _content(self) -> Content:
         return self.read(None)
+
+    def line(self, number: str) -> int:
+        return self.lines.of_equation(self.numbers.index(number)) if self.lines and number in self.numbers else 0
 
     @property
     def problems(self) -> tuple[Problem, ...]:
@@ -98,6 +105,13 @@ def load(path: str | Path) -> Sheet:
         wrong = f"the byte {content[error.start]:#x} at {error.start}"
         raise SheetError(f"{name}: expected UTF-8 text, got {wrong}") from None
     return sheet(text, name)
+
+
+def unreadable(name: str, error: SheetError) -> Problem:
+    """Return the problem of a file that cannot be read at all."""
+    message = str(error).removeprefix(f"{name}: ")
+    at = re.search(r"\(at line (\d+), column \d+\)$", message)
+    return Problem(name, "", None, message, int(at[1]) if at else None)
 
 
 def sheet(text: str, name: str, home: Home | None = None) -> Sheet:
@@ -127,9 +141,10 @@ def sheet(text: str, name: str, home: Home | None = None) -> Sheet:
     if wrong := next((line for line in (*sections, *claims) if not line.isdecimal()), None):
         raise SheetError(f"{name}: expected the number of a line, got {wrong!r}")
     stated = about.get("conditions") == "stated"
+    lines = Lines(text)
 
     def read(numbers: Collection[str] | None) -> Content:
-        reader = _Reader(name)
+        reader = _Reader(name, lines)
         scope = reader.scope(letters, definitions, shown)
         printed = {OPERATIONS[call].operator: text for call, text in shown.items() if call in OPERATIONS}
         transcript = Transcript(name, scope, printed, tuple(map(int, sections))) if stated else None
@@ -142,6 +157,7 @@ def sheet(text: str, name: str, home: Home | None = None) -> Sheet:
         slug, about.get("short", slug), citation, about.get("lost", ""),
         {int(line): numbers for line, numbers in claims.items()}, reasons, about.get("doi", ""),
         stated=stated, read=read, numbers=tuple(str(row.get("number", "")) for row in equations), request=(text, name),
+        lines=lines,
     )  # fmt: skip
 
 
@@ -165,15 +181,15 @@ def _strings(data: Mapping[str, Any], table: str, name: str) -> dict[str, str]:
 class _Reader:
     """Reader of a file's letters, definitions and equations, which collects problems."""
 
-    def __init__(self, file: str) -> None:
-        self.file = file
+    def __init__(self, file: str, lines: Lines) -> None:
+        self.file, self.lines = file, lines
         self.problems: list[Problem] = []
         self.numbers: set[str] = set()
 
-    def problem(self, place: str, error: ClaimError | str) -> None:
+    def problem(self, place: str, error: ClaimError | str, line: int) -> None:
         column = (error.column or None) if isinstance(error, ClaimError) else None
         message = error.message if isinstance(error, ClaimError) else error
-        self.problems.append(Problem(self.file, place, column, " ".join(message.split())))
+        self.problems.append(Problem(self.file, place, column, " ".join(message.split()), line or None))
 
     def scope(self, letters: Mapping[str, str], definitions: Mapping[str, str], shown: Mapping[str, str]) -> Scope:
         """Return the scope of the file's letters and definitions; `shown` has the LaTeX of names as printed."""
@@ -183,7 +199,7 @@ class _Reader:
                 for a, (symbol, of) in declared(name, kind).items():
                     known[a] = Symbol(*map(str, (*symbol.args[:2], shown.get(a, symbol.args[2]), a))), of
             except ClaimError as error:
-                self.problem(f"letter {name}", error.message)
+                self.problem(f"letter {name}", error.message, self.lines.of("letters", name))
         found: dict[str, Abbreviation] = {}
         for head, text in definitions.items():
             try:
@@ -191,7 +207,7 @@ class _Reader:
                 found[abbreviation.name] = abbreviation
                 tree(text)
             except ClaimError as error:
-                self.problem(f"definition {head}", error)
+                self.problem(f"definition {head}", error, self.lines.of("definitions", head))
         return Scope(known, found)
 
     def entry(self, place: int, row: Mapping[str, Any], scope: Scope, transcript: Transcript | None) -> Entry | None:
@@ -211,7 +227,7 @@ class _Reader:
             row = {**row, "number": label}
             return transcript.entry(row) if transcript else _entry(row, scope, self.file)
         except ClaimError as error:
-            self.problem(where, error)
+            self.problem(where, error, self.lines.of_equation(place - 1))
             return None
 
 

@@ -6,16 +6,17 @@ import difflib
 import os
 from collections import Counter
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 
 import click
 
 from .. import about
 from ..claims.language.names import ClaimError
-from ..claims.report import FORMATS, Report, as_text, data
+from ..claims.report import FORMATS, LINEWISE, Report, as_text, data
 from ..claims.result import Status
 from ..claims.run import check_sheets
-from ..claims.sheet import Sheet, SheetError, claim_alone, load
+from ..claims.sheet import Problem, Sheet, SheetError, claim_alone, load, unreadable
 from ..output import files, pages
 from ..output.shown import columns
 from . import display, options
@@ -43,8 +44,9 @@ def verify(
         options.require_writable(output, output.with_suffix(".json") if output and beside else None)
     stale = []
     if sheets or claim is not None:
-        read = [_loaded(name) for name in sheets] or [_single(claim or "", letters, domain or "")]
+        read, problems = _loaded(sheets, form) if sheets else ([_single(claim or "", letters, domain or "")], [])
         report = _of_sheets(read, _chosen(read, equations) if equations else None, seconds)
+        report = replace(report, problems=(*problems, *report.problems))
     else:
         report = _of_papers(paper, equations, orders, output)
     text = as_text(report, columns()) if form == "text" and output is None else FORMATS[form](report)
@@ -55,7 +57,7 @@ def verify(
         stale = pages.stale(output, texts) if check else []
     if output is not None and not check:
         files.write(output.parent, texts, force=True)
-        click.echo(f"{output}: {summary(report)}", err=True)
+        click.echo(f"{output}: {report.summary}", err=True)
     if stale:
         display.differences(stale, options.without_check())
     for problem in report.problems:
@@ -67,11 +69,21 @@ def verify(
         raise click.exceptions.Exit(1)
 
 
-def _loaded(name: str) -> Sheet:
-    try:
-        return load(name)
-    except SheetError as error:
-        raise Unreadable(str(error)) from None
+def _loaded(names: Sequence[str], form: str) -> tuple[list[Sheet], list[Problem]]:
+    """Return the files that can be read, each under a name of its own in reports, and a problem for each other file.
+
+    If none can be read, only a report beside the lines of files shows why; in another form it is an error.
+    """
+    read, problems = dict[str, Sheet](), list[Problem]()
+    for name in dict.fromkeys(names):
+        try:
+            read[name] = load(name)
+        except SheetError as error:
+            problems.append(unreadable(name, error))
+    if not read and form not in LINEWISE:
+        raise Unreadable("\n".join(map(str, problems)))
+    slugs = Counter(sheet.slug for sheet in read.values())
+    return [s if slugs[s.slug] == 1 else replace(s, slug=name, short=name) for name, s in read.items()], problems
 
 
 class Unreadable(click.ClickException):
@@ -142,8 +154,3 @@ def _root(output: Path | None) -> str:
     """Return the relative path from the report to the sources; empty on stdout or outside a checkout."""
     root = about.checkout()
     return Path(os.path.relpath(root, output.resolve().parent)).as_posix() if root and output else ""
-
-
-def summary(report: Report) -> str:
-    counts = Counter(str(result.status) for result in report.results)
-    return ", ".join(f"{count} {what}" for what, count in (*counts.items(), ("proofs", len(report.proofs))))

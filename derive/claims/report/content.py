@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import Protocol
@@ -82,6 +83,20 @@ class Report:
         """Return a report with results grouped by paper, and what could not be read in files."""
         chapters = (Chapter(paper, tuple(r for r in results if r.paper == paper.slug)) for paper in papers)
         return cls(tuple(chapter for chapter in chapters if chapter.results), tuple(proofs), root, tuple(problems))
+
+    @property
+    def counts(self) -> dict[str, int]:
+        """Numbers of equations that are decided and not read, then those of each status and of proofs."""
+        found = Counter(result.status for result in self.results)
+        decided = len(self.results) - found[Status.UNDECIDED] - found[Status.UNREFUTED]
+        rest = {str(status): found[status] for status in MEANING} | {"proofs": len(self.proofs)}
+        return {"decided": decided, "unread": len(self.problems)} | {what: n for what, n in rest.items() if n}
+
+    @property
+    def summary(self) -> str:
+        """Counts in one line, such as "41 decided, 3 unread: 2 false, 39 holds"."""
+        parts = [f"{count} {what}" for what, count in self.counts.items()]
+        return ": ".join(filter(None, (", ".join(parts[:2]), ", ".join(parts[2:]))))
 
     @property
     def statuses(self) -> dict[Status, str]:
