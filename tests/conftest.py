@@ -35,6 +35,8 @@ MISSING = {
 
 # By default, tests use the NumPy kernels without compiled functions; DUALCAY_NATIVE=1 uses installed ones.
 os.environ.setdefault("DUALCAY_NATIVE", "0")
+# Each test decides its claims; tests of kept results name a folder of their own.
+os.environ["DUALCAY_CACHE"] = ""
 
 
 SELECTED = {

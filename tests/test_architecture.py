@@ -25,7 +25,7 @@ ORDER = {
     ),
     "derive.claims": (
         "numbers", "language", "extracted", "equation", "result", "deciding", "decide", "transcript", "lines", "sheet",
-        "run", "report",
+        "kept", "run", "report",
     ),
     "derive.claims.deciding": (
         "terms", "place", "claim", "frames", "solved", "constrained", "singular", "zeros", "polar", "identity", "proof",

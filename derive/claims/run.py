@@ -15,12 +15,12 @@ import threading
 from collections.abc import Callable, Collection, Sequence
 from concurrent.futures import ThreadPoolExecutor, as_completed
 from contextlib import suppress
-from dataclasses import fields
 from typing import Any
 
 from ..output.shown import Listing, bar, no_op
 from ..workers import cores, limit, stopped
 from .equation import UndecidedError
+from .kept import Store, folder
 from .result import Result, undecided
 from .sheet import Sheet, claim_alone
 
@@ -29,15 +29,23 @@ SECONDS = 60.0
 
 
 def decide_each(
-    items: Sequence[tuple[Sheet, int]], seconds: float = SECONDS, step: Callable[[str], None] = lambda line: None
-) -> list[Result]:
-    """Return the results of entries by sheet and place, in order; a slow one is undecided."""
+    items: Sequence[tuple[Sheet, int]], seconds: float = SECONDS, step: Callable[[str], None] = lambda line: None,
+    store: Store | None = None,
+) -> list[Result]:  # fmt: skip
+    """Return the results of entries by sheet and place, in order; a slow one is undecided.
+
+    Results that the store has are not decided again.
+    """
+    store = store or Store(None, seconds)
+    kept = [store.find(sheet, sheet.entries()[place]) for sheet, place in items]
+    for result in filter(None, kept):
+        step(f"equation {result.equation.number}")
     stop, idle = threading.Event(), queue.SimpleQueue[_Worker]()
-    crew = [_Worker(stop) for _ in range(min(cores(), len(items)))]
+    crew = [_Worker(stop) for _ in range(min(cores(), kept.count(None)))]
     for worker in crew:
         idle.put(worker)
 
-    def decided(sheet: Sheet, place: int) -> Result:
+    def decided(sheet: Sheet, place: int) -> tuple[Result, bool]:
         worker = idle.get()
         try:
             return worker.decide(sheet, place, seconds)
@@ -45,12 +53,14 @@ def decide_each(
             idle.put(worker)
 
     with ThreadPoolExecutor(max(len(crew), 1)) as pool:
-        found = {pool.submit(decided, *item): item for item in items}
+        found = {pool.submit(decided, *items[i]): i for i, result in enumerate(kept) if result is None}
         try:
             for future in as_completed(found):
-                future.result()
-                sheet, place = found[future]
-                step(f"equation {sheet.entries()[place].number}")
+                i, (result, settled) = found[future], future.result()
+                kept[i] = result
+                if settled:
+                    store.keep(items[i][0], result)
+                step(f"equation {result.equation.number}")
         finally:
             stop.set()
             for worker in crew:
@@ -58,7 +68,8 @@ def decide_each(
             pool.shutdown(cancel_futures=True)
             for worker in crew:
                 worker.close()
-    return [future.result() for future in found]
+            store.shrink()
+    return list(filter(None, kept))
 
 
 def check(claim: str, /, *, domain: str = "", seconds: float = SECONDS, **letters: str) -> Result:
@@ -94,18 +105,21 @@ def check(claim: str, /, *, domain: str = "", seconds: float = SECONDS, **letter
     """
     with bar() as step:
         step("claim")
-        (result,) = check_sheets([claim_alone(claim, letters, domain)], None, seconds)
+        (result,) = check_sheets([claim_alone(claim, letters, domain)], None, seconds, keep=True)
     return result
 
 
 def check_sheets(
     sheets: Sequence[Sheet], numbers: Collection[str] | None = None, seconds: float = SECONDS,
-    step: Callable[[str], None] = no_op,
-) -> Listing[Result]:
-    """Decide the equations of files; `numbers` chooses some, and `step` is called after each."""
+    step: Callable[[str], None] = no_op, keep: bool = False,
+) -> Listing[Result]:  # fmt: skip
+    """Decide the equations of files; `numbers` chooses some, and `step` is called after each.
+
+    With `keep`, results stay in the user's cache, and those that are there are not decided again.
+    """
     places = [(sheet, place, entry.number) for sheet in sheets for place, entry in enumerate(sheet.entries())]
     items = [(sheet, place) for sheet, place, number in places if numbers is None or number in numbers]
-    return Listing(decide_each(items, seconds, step))
+    return Listing(decide_each(items, seconds, step, Store(folder() if keep else None, seconds)))
 
 
 class _Worker:
@@ -127,8 +141,11 @@ class _Worker:
         if self.process is not None:
             self.process.kill()
 
-    def decide(self, sheet: Sheet, place: int, seconds: float) -> Result:
-        """Return the result of an entry; one found before the worker died or was slow is kept, else it is undecided."""
+    def decide(self, sheet: Sheet, place: int, seconds: float) -> tuple[Result, bool]:
+        """Return the result of an entry, and whether it is all that its processor time gives.
+
+        A result found before the worker died or was slow stands, else the entry is undecided.
+        """
         own: dict[str, Any] = {}
         if self.process is None:
             paths = os.pathsep.join(path or os.getcwd() for path in sys.path)
@@ -141,7 +158,7 @@ class _Worker:
                 self.kill()
             with suppress(EOFError):
                 pickle.load(self.process.stdout)  # it is ready; loading does not count as time of an equation
-        process, slug, entry = self.process, sheet.slug, sheet.entries()[place]
+        process, slug, entry, settled = self.process, sheet.slug, sheet.entries()[place], True
         assert process.stdin is not None
         assert process.stdout is not None
         try:
@@ -152,11 +169,11 @@ class _Worker:
                 final, own = pickle.load(process.stdout)
         except (EOFError, OSError, pickle.UnpicklingError):
             self.close()
+            settled = stopped(process.returncode)
             if not own:
-                late = stopped(process.returncode)
-                reason = f"not decided within {seconds:g} s of processor time" if late else "its process died"
-                return undecided(slug, entry, reason)
-        return Result(slug, entry, **own)
+                reason = f"not decided within {seconds:g} s of processor time" if settled else "its process died"
+                return undecided(slug, entry, reason), settled
+        return Result(slug, entry, **own), settled
 
 
 def serve() -> None:
@@ -195,8 +212,7 @@ def _serve() -> None:
 
         def answer(result: Result, final: bool = False, told: list[Result] = told) -> None:
             told.append(result)
-            own = {field.name: getattr(result, field.name) for field in fields(result)[2:]}  # without slug and entry
-            pickle.dump((final, own), answers)
+            pickle.dump((final, result.own), answers)
             answers.flush()
 
         try:

@@ -28,7 +28,7 @@ WRONG = (Status.ERRATUM, Status.FALSE, Status.UNDECIDED, Status.UNREFUTED)
 def verify(
     sheets: tuple[str, ...], paper: str | None, claim: str | None, letters: tuple[str, ...], domain: str | None,
     seconds: float, equations: str | None, orders: tuple[int, ...], form: str, output: Path | None,
-    beside: bool, check: bool, strict: bool, max_n: int,
+    beside: bool, check: bool, strict: bool, no_cache: bool, max_n: int,
 ) -> None:  # fmt: skip
     """Run the command; parameters are its options."""
     options.require_cap(orders, max_n)
@@ -45,7 +45,7 @@ def verify(
     stale = []
     if sheets or claim is not None:
         read, problems = _loaded(sheets, form) if sheets else ([_single(claim or "", letters, domain or "")], [])
-        report = _of_sheets(read, _chosen(read, equations) if equations else None, seconds)
+        report = _of_sheets(read, _chosen(read, equations) if equations else None, seconds, not no_cache)
         report = replace(report, problems=(*problems, *report.problems))
     else:
         report = _of_papers(paper, equations, orders, output)
@@ -103,11 +103,11 @@ def _single(claim: str, letters: Sequence[str], domain: str) -> Sheet:
         raise Unreadable(f"--claim: {error}") from None
 
 
-def _of_sheets(sheets: Sequence[Sheet], equations: list[str] | None, seconds: float) -> Report:
+def _of_sheets(sheets: Sequence[Sheet], equations: list[str] | None, seconds: float, keep: bool) -> Report:
     total = sum(equations is None or entry.number in equations for sheet in sheets for entry in sheet.entries())
     with display.progress(total) as step:
         step("equations")
-        results = check_sheets(sheets, equations, seconds, step)
+        results = check_sheets(sheets, equations, seconds, step, keep)
     return Report.of(sheets, results, (), "", [problem for sheet in sheets for problem in sheet.problems])
 
 
