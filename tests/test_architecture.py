@@ -21,7 +21,7 @@ pytestmark = pytest.mark.smoke
 ORDER = {
     "derive": (
         "about", "workers", "output", "algebra", "claims", "maps", "motion_equations", "proof", "papers",
-        "codegen", "pages", "front", "cli", "__main__",
+        "codegen", "pages", "front", "cli", "mcp", "__main__",
     ),
     "derive.claims": (
         "numbers", "language", "extracted", "equation", "result", "deciding", "decide", "transcript", "lines", "sheet",
