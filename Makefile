@@ -18,6 +18,11 @@ PIP    := $(RUN) -m pip --disable-pip-version-check install --quiet --quiet --co
 MATHJAX := 4.1.3
 ASSETS  := build/docs/assets/mathjax
 MATHJAX_READY := build/docs/.mathjax-$(MATHJAX)
+# Pyodide runs the page "Try it" in browsers: its version, the platform of its wheels, its folder, and a stamp.
+PYODIDE := 314.0.7
+WASM    := --platform pyemscripten_2026_0_wasm32 --python-version 3.14 --implementation cp --abi cp314
+ENGINE  := build/docs/assets/engine
+ENGINE_READY := build/docs/.pyodide-$(PYODIDE)
 # Certified bounds of rounding errors.
 BOUNDS := benchmarks/certified.json
 
@@ -116,7 +121,7 @@ accuracy: $(VENV)/.bench  ## largest errors and their figures; search for worse 
 	$(RUN) -m benchmarks.accuracy --search $(or $(SEARCH),0)
 	$(RUN) -m benchmarks.conditioning
 
-docs: $(VENV)/.docs $(MATHJAX_READY)  ## the site, built offline: build/docs/html/index.html
+docs: $(VENV)/.docs $(MATHJAX_READY) $(ENGINE_READY)  ## the site, built offline: build/docs/html/index.html
 	$(RUN) -m sphinx -W --keep-going --jobs auto --quiet docs build/docs/html
 	$(RUN) -m docs._ext.links build/docs/html
 
@@ -152,6 +157,15 @@ $(MATHJAX_READY):
 	tar xzf build/docs/mathjax-$(MATHJAX).tgz -C $(ASSETS) --strip-components=1
 	tar xzf build/docs/mathjax-mathjax-newcm-font-$(MATHJAX).tgz -C $(ASSETS)/mathjax-newcm-font --strip-components=1 package/chtml package/chtml.js
 	touch $@
+
+# Pyodide from npm and python-flint for it. Without them the site is built, and its page "Try it" says what it lacks.
+$(ENGINE_READY):
+	rm -rf $(ENGINE) build/docs/python_flint-*_wasm32.whl && mkdir -p $(ENGINE)
+	cd build/docs && npm pack --silent pyodide@$(PYODIDE) > /dev/null && tar xzf pyodide-$(PYODIDE).tgz -C assets/engine \
+	    --strip-components=1 $(addprefix package/,package.json pyodide.mjs pyodide.asm.mjs pyodide.asm.wasm pyodide-lock.json python_stdlib.zip) \
+	  && cd ../.. && $(RUN) -m pip --disable-pip-version-check download --quiet --no-deps --only-binary :all: $(WASM) \
+	    --constraint constraints.txt --dest build/docs python-flint && touch $@ \
+	  || echo "left out of the page \"Try it\": its engine, since Pyodide or python-flint for it cannot be downloaded" >&2
 
 # Packages for benchmarks; BENCH=bench,peers adds jaxlie and pinocchio, which are large.
 $(VENV)/.bench: $(TESTED)

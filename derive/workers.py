@@ -67,6 +67,9 @@ def _sweep() -> None:
                     os.close(handle)
 
 
+ALONE = sys.platform == "emscripten"
+"""Whether the system starts neither threads nor processes, as in a browser."""
+
 PROCESSES_MAX = 61
 """Largest number of processes in a pool on Windows."""
 
@@ -75,7 +78,9 @@ Result = TypeVar("Result")
 
 
 def cores() -> int:
-    """Return the number of processor cores that this process may use."""
+    """Return the number of processor cores that this process may use; one if it is `ALONE`."""
+    if ALONE:
+        return 1
     found = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count()
     return min(found or 1, PROCESSES_MAX)
 

@@ -31,11 +31,13 @@ extensions = [
     "sphinx_gallery.gen_gallery",
     "_ext.dark",
     "_ext.function_pages",
+    "_ext.in_browser",
     "_ext.live",
     "_ext.printed",
     "_ext.publication",
     "_ext.reference",
     "_ext.sheet",
+    "_ext.try_it",
 ]
 exclude_patterns = ["_build", "_templates", "**/README.md", "examples/*.ipynb"]  # myst-nb would run these notebooks
 nitpicky = False
@@ -90,7 +92,7 @@ html_theme_options = {
     "footer_end": [],
     **publication.theme_options(REPOSITORY),
 }
-WITHOUT_PAGES_BELOW = ("index", "install", "symptoms", "glossary", "sheet", "changelog", "cite", "licence")
+WITHOUT_PAGES_BELOW = ("index", "install", "try", "symptoms", "glossary", "sheet", "changelog", "cite", "licence")
 html_sidebars = {page: [] for page in WITHOUT_PAGES_BELOW}
 templates_path = ["_templates", "_templates/components"]
 

@@ -24,8 +24,8 @@ ORDER = {
         "codegen", "pages", "front", "cli", "mcp", "__main__",
     ),
     "derive.claims": (
-        "numbers", "language", "extracted", "equation", "result", "deciding", "decide", "transcript", "lines", "sheet",
-        "kept", "run", "report",
+        "numbers", "language", "documents", "proposal", "extracted", "equation", "result", "deciding", "decide",
+        "transcript", "lines", "sheet", "draft", "kept", "run", "report",
     ),
     "derive.claims.deciding": (
         "terms", "place", "claim", "frames", "solved", "constrained", "singular", "zeros", "polar", "identity", "proof",

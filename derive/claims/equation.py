@@ -73,6 +73,7 @@ class Entry(Typeset):
     abbreviations: Mapping[str, Abbreviation] = field(default_factory=dict, compare=False)  # definitions of its file
     at: str = ""  # place where a claim of a file is printed
     printed: str = ""  # LaTeX of a claim of a file, as printed
+    proposed: bool = False  # whether the claim of a file was proposed from its LaTeX, and is not yet confirmed
 
     @property
     def is_transcribed(self) -> bool:

@@ -31,7 +31,7 @@ VARIABLE = "DUALCAY_CACHE"
 """Variable of the environment that names the folder; nothing is kept if it is empty."""
 BYTES_MAX, FILE_MAX, BLOCK = 50_000_000, 1_000_000, 4096
 """Largest size of all files and of one, and the least that a file takes on a disk."""
-SHOWN = {"title", "remark", "source", "home", "at", "printed"}
+SHOWN = {"title", "remark", "source", "home", "at", "printed", "proposed"}
 """Fields of an entry that decide nothing; its number decides which points are tried."""
 
 

@@ -121,6 +121,11 @@ class Result(Typeset):
         return self.verdicts[0].counterexample if wrong else None
 
     @property
+    def caution(self) -> str:
+        """Words beside the verdict on a claim that was proposed from LaTeX; empty for others."""
+        return "read this before you believe it: the claim was proposed from LaTeX" if self.equation.proposed else ""
+
+    @property
     def section(self) -> str:
         """Section number in the paper, from the entry's place, or from the file name of its module."""
         at, source = self.equation.at, self.equation.source
@@ -161,6 +166,7 @@ class Result(Typeset):
             **{name: getattr(self, name) for name in ("certainty", "points", "changes", "vacuous", "needs", "cuts")},
             **{name: getattr(entry, name) for name in ("at", "line", "source", "said", "remark")},
             "latex": entry.printed or None,
+            "proposed": entry.proposed,
         }
 
     def cells(self) -> dict[str, str]:
@@ -171,7 +177,7 @@ class Result(Typeset):
             "status": str(self.status),
             "printed": f"$\\displaystyle {self.printed}$",
             "corrected": f"$\\displaystyle {self.corrected}$" if self.corrected else "",
-            "method": "; ".join(part for part in (self.found, self.method) if part),
+            "method": "; ".join(part for part in (self.caution, self.found, self.method) if part),
         }
 
     def __repr__(self) -> str:

@@ -18,7 +18,7 @@ from contextlib import suppress
 from typing import Any
 
 from ..output.shown import Listing, bar, no_op
-from ..workers import cores, limit, stopped
+from ..workers import ALONE, cores, limit, stopped
 from .equation import UndecidedError
 from .kept import Store, folder
 from .result import Result, undecided
@@ -34,8 +34,14 @@ def decide_each(
 ) -> list[Result]:  # fmt: skip
     """Return the results of entries by sheet and place, in order; a slow one is undecided.
 
-    Results that the store has are not decided again.
+    Results that the store has are not decided again. A process that is `ALONE` decides all itself, without a limit.
     """
+    if ALONE:
+        alone = []
+        for sheet, place in items:
+            alone.append(found_here(sheet, place))
+            step(f"equation {sheet.entries()[place].number}")
+        return alone
     store = store or Store(None, seconds)
     kept = [store.find(sheet, sheet.entries()[place]) for sheet, place in items]
     for result in filter(None, kept):
@@ -82,7 +88,7 @@ def check(claim: str, /, *, domain: str = "", seconds: float = SECONDS, **letter
     domain : str, optional
         Relation that states where the claim is said to hold.
     seconds : float, optional
-        Processor time that the claim may take; a slower one is undecided. Windows has no such limit.
+        Processor time that the claim may take; a slower one is undecided. Windows and browsers have no such limit.
     **letters : str
         Kind of each letter, such as ``v="vector"`` or ``n="unit vector"``.
 
@@ -193,8 +199,26 @@ def _receive(requests: queue.SimpleQueue[Any]) -> None:
         os._exit(0)
 
 
-def _serve() -> None:
+def found_here(sheet: Sheet, place: int, early: Callable[[Result], None] = lambda result: None) -> Result:
+    """Return the result of an entry, decided in this process; one found before an error is kept."""
     from .decide import decide
+
+    slug, entry, told = sheet.slug, sheet.entries()[place], list[Result]()
+
+    def tell(result: Result) -> None:
+        told.append(result)
+        early(result)
+
+    try:
+        return decide(slug, entry, sheet.lost, early=tell)
+    except UndecidedError as error:
+        return undecided(slug, entry, str(error))
+    except Exception:
+        return told[-1] if told else undecided(slug, entry, "it cannot be evaluated")
+
+
+def _serve() -> None:
+    from . import decide  # noqa: F401  loaded before the first limit
 
     requests: queue.SimpleQueue[Any] = queue.SimpleQueue()
     answers, sys.stdout = sys.stdout.buffer, sys.stderr
@@ -202,25 +226,16 @@ def _serve() -> None:
     pickle.dump("ready", answers)
     answers.flush()
     threading.Thread(target=_receive, args=(requests,), daemon=True).start()
+
+    def answer(result: Result, final: bool = False) -> None:
+        pickle.dump((final, result.own), answers)
+        answers.flush()
+
     while True:
         request, place, seconds = requests.get()
         limit(seconds)
-        sheet = sheets.setdefault(repr(request), Sheet.made(request))
-        slug, entry = sheet.slug, sheet.entries()[place]
-
-        told: list[Result] = []
-
-        def answer(result: Result, final: bool = False, told: list[Result] = told) -> None:
-            told.append(result)
-            pickle.dump((final, result.own), answers)
-            answers.flush()
-
-        try:
-            result = decide(slug, entry, sheet.lost, early=answer)
-        except UndecidedError as error:
-            result = undecided(slug, entry, str(error))
-        except Exception:
-            result = told[-1] if told else undecided(slug, entry, "it cannot be evaluated")
+        if (known := repr(request)) not in sheets:
+            sheets[known] = Sheet.made(request)
+        result = found_here(sheets[known], place, answer)
         limit(0)
         answer(result, True)
-

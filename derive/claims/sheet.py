@@ -1,18 +1,24 @@
 """Papers as TOML files: letters, definitions and claims in plain text, read to entries. Nothing in a file is evaluated.
 
-A file that is no such file raises `SheetError`. An equation that cannot be read is a `Problem`; all others are entries.
+A file that is no such file raises `SheetError`. An equation that cannot be read is a `Problem`, one without a claim is
+unread; all others are entries. Documents with comments beside their equations are read in the same way.
 """
 
 from __future__ import annotations
 
 import re
 import tomllib
-from collections.abc import Callable, Collection, Mapping
+from collections.abc import Callable, Collection, Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
+from itertools import filterfalse
 from pathlib import Path
 from typing import Any
 
+from .documents import READERS, content
+from .documents.comments import Written
+from .documents.files import SheetError as SheetError
+from .documents.files import text_of
 from .equation import Entry, Home, Paper, Reading
 from .language.claims import statement
 from .language.expressions import tree
@@ -24,20 +30,21 @@ from .language.printed import Symbol, Term
 from .lines import Lines
 from .transcript import READING_KEYS, Transcript
 
+FILES = (".toml", *READERS)
+"""Endings of files with claims."""
 BYTES_MAX = 2_000_000
 """Largest size of a file."""
 EQUATIONS_MAX = 2000
 TABLES = ("paper", "letters", "definitions", "latex", "claims", "reasons", "equation", "field")
 PAPER_KEYS = ("slug", "short", "title", "source", "doi", "conditions", "lost", "sections")
-KEYS = ("number", "title", "at", "latex", "claim", "domain", "corrected", "remark")
+KEYS = ("number", "title", "at", "latex", "claim", "domain", "corrected", "remark", "proposed")
 STATED_KEYS = (*KEYS, "line", "reading", "condition", "because", "stated", "said", "fixed_by", "lost", "extract",
                "undecided")
 """Keys of an equation, and those of a transcript, which states conditions."""
+KIND_OF = {"line": int, "proposed": bool}
+WORDS = {int: "an integer", bool: "true or false", str: "a text in quotes"}
+"""Kinds of the values of keys other than texts, and words for them."""
 HEAD = re.compile(r"([A-Za-z]\w*)\s*(?:\(\s*([A-Za-z]\w*(?:\s*,\s*[A-Za-z]\w*)*)\s*\))?", re.ASCII)
-
-
-class SheetError(ValueError):
-    """Error for a file that cannot be read as a paper: one line with the file and what was expected."""
 
 
 @dataclass(frozen=True)
@@ -70,6 +77,7 @@ class Sheet(Paper):
     stated: bool = False  # whether it is a transcript, whose conditions are stated
     read: Callable[[Collection[str] | None], Content] = field(default=lambda n: ((), ()), repr=False, compare=False)
     numbers: tuple[str, ...] = field(default=(), repr=False)  # of all its equations, in order
+    unread: tuple[Mapping[str, str], ...] = field(default=(), repr=False)  # number, place, LaTeX of those without claim
     request: tuple[Any, ...] = field(default=(), repr=False)  # arguments that make the sheet again in another process
     lines: Lines | None = field(default=None, repr=False, compare=False)
 
@@ -94,32 +102,37 @@ class Sheet(Paper):
 
 def load(path: str | Path) -> Sheet:
     """Return the sheet of a file; raise SheetError or OSError."""
-    name = str(path)
-    with open(path, "rb") as file:
-        content = file.read(BYTES_MAX + 1)
-    if len(content) > BYTES_MAX:
-        raise SheetError(f"{name}: a file has at most {BYTES_MAX} bytes")
-    try:
-        text = content.decode("utf-8-sig")
-    except UnicodeDecodeError as error:
-        wrong = f"the byte {content[error.start]:#x} at {error.start}"
-        raise SheetError(f"{name}: expected UTF-8 text, got {wrong}") from None
-    return sheet(text, name)
+    if Path(path).suffix.lower() not in READERS:
+        return sheet(text_of(path, BYTES_MAX), str(path))
+    tables, wrong = content(path)
+    return sheet(tables, str(path), wrong=wrong)
 
 
 def unreadable(name: str, error: SheetError) -> Problem:
     """Return the problem of a file that cannot be read at all."""
-    message = str(error).removeprefix(f"{name}: ")
-    at = re.search(r"\(at line (\d+), column \d+\)$", message)
-    return Problem(name, "", None, message, int(at[1]) if at else None)
+    said = rf"(?:{re.escape(name)}(?::(\d+))?: )?(.*?(?:\(at line (\d+), column \d+\))?)"
+    found = re.fullmatch(said, str(error), re.DOTALL)
+    assert found is not None
+    line = found[1] or found[3]
+    return Problem(name, "", None, found[2], int(line) if line else None)
 
 
-def sheet(text: str, name: str, home: Home | None = None) -> Sheet:
-    """Return the sheet of a text with the file's name; `home` finds its entries again when they are pickled."""
+def tables_of(text: str, name: str) -> dict[str, Any]:
+    """Return the tables of a TOML text with the file's name."""
     try:
-        data = tomllib.loads(text)
+        return tomllib.loads(text)
     except (tomllib.TOMLDecodeError, RecursionError, ValueError) as error:
         raise SheetError(f"{name}: not TOML: {str(error) or 'too many brackets in each other'}") from None
+
+
+def sheet(
+    tables: str | Mapping[str, Any], name: str, home: Home | None = None, wrong: Iterable[tuple[str, ClaimError]] = ()
+) -> Sheet:
+    """Return the sheet of a TOML text or of its tables, with the file's name.
+
+    `home` finds its entries again when they are pickled; `wrong` is what could not be read before.
+    """
+    data = tables_of(tables, name) if isinstance(tables, str) else tables
     for key in data:
         if key not in TABLES:
             raise SheetError(f"{name}: unknown table {key!r}: expected {', '.join(TABLES)}")
@@ -138,27 +151,38 @@ def sheet(text: str, name: str, home: Home | None = None) -> Sheet:
     if about.get("conditions", "found") not in ("found", "stated"):
         raise SheetError(f"{name}: conditions are \"found\" or \"stated\", got {about['conditions']!r}")
     sections = about.get("sections", "").split()
-    if wrong := next((line for line in (*sections, *claims) if not line.isdecimal()), None):
-        raise SheetError(f"{name}: expected the number of a line, got {wrong!r}")
+    if other := next((line for line in (*sections, *claims) if not line.isdecimal()), None):
+        raise SheetError(f"{name}: expected the number of a line, got {other!r}")
     stated = about.get("conditions") == "stated"
-    lines = Lines(text)
+    lines = Lines(tables if isinstance(tables, str) else "")
+
+    def is_unread(row: Mapping[str, Any]) -> bool:
+        return not stated and not str(row.get("claim", "")).strip()
 
     def read(numbers: Collection[str] | None) -> Content:
-        reader = _Reader(name, lines)
+        reader = Reader(name, lines)
+        for where, error in wrong:
+            reader.problem(where, error)
         scope = reader.scope(letters, definitions, shown)
         printed = {OPERATIONS[call].operator: text for call, text in shown.items() if call in OPERATIONS}
         transcript = Transcript(name, scope, printed, tuple(map(int, sections))) if stated else None
         rows = [(i, row) for i, row in enumerate(equations, 1) if numbers is None or str(row.get("number")) in numbers]
-        found = [reader.entry(i, row, scope, transcript) for i, row in rows]
+        found = [reader.entry(i, row, scope, transcript, is_unread(row)) for i, row in rows]
         return tuple(replace(entry, home=home) for entry in found if entry is not None), tuple(reader.problems)
 
+    needed = {**tables, "equation": [*filterfalse(is_unread, equations)]} if isinstance(tables, Mapping) else tables
     citation = ". ".join(part for part in (about.get("title", ""), about.get("source", "")) if part)
     return Sheet(
         slug, about.get("short", slug), citation, about.get("lost", ""),
         {int(line): numbers for line, numbers in claims.items()}, reasons, about.get("doi", ""),
-        stated=stated, read=read, numbers=tuple(str(row.get("number", "")) for row in equations), request=(text, name),
+        stated=stated, read=read, numbers=tuple(str(row.get("number", "")) for row in equations),
+        unread=tuple(map(_outline, filter(is_unread, equations))), request=(needed, name),
         lines=lines,
     )  # fmt: skip
+
+
+def _outline(row: Mapping[str, Any]) -> Mapping[str, str]:
+    return {name: str(row.get(name, "")) for name in ("number", "at", "latex")}
 
 
 def claim_alone(claim: str, letters: Mapping[str, str], domain: str = "") -> Sheet:
@@ -178,18 +202,18 @@ def _strings(data: Mapping[str, Any], table: str, name: str) -> dict[str, str]:
     return found
 
 
-class _Reader:
+class Reader:
     """Reader of a file's letters, definitions and equations, which collects problems."""
 
-    def __init__(self, file: str, lines: Lines) -> None:
-        self.file, self.lines = file, lines
+    def __init__(self, file: str, lines: Lines | None = None) -> None:
+        self.file, self.lines = file, lines or Lines("")
         self.problems: list[Problem] = []
         self.numbers: set[str] = set()
 
-    def problem(self, place: str, error: ClaimError | str, line: int) -> None:
-        column = (error.column or None) if isinstance(error, ClaimError) else None
-        message = error.message if isinstance(error, ClaimError) else error
-        self.problems.append(Problem(self.file, place, column, " ".join(message.split()), line or None))
+    def problem(self, place: str, error: ClaimError | str, line: int = 0) -> None:
+        known = error if isinstance(error, ClaimError) else ClaimError(error)
+        file, at = known.at or (self.file, line or None)
+        self.problems.append(Problem(file, place, known.column or None, " ".join(known.message.split()), at))
 
     def scope(self, letters: Mapping[str, str], definitions: Mapping[str, str], shown: Mapping[str, str]) -> Scope:
         """Return the scope of the file's letters and definitions; `shown` has the LaTeX of names as printed."""
@@ -199,7 +223,7 @@ class _Reader:
                 for a, (symbol, of) in declared(name, kind).items():
                     known[a] = Symbol(*map(str, (*symbol.args[:2], shown.get(a, symbol.args[2]), a))), of
             except ClaimError as error:
-                self.problem(f"letter {name}", error.message, self.lines.of("letters", name))
+                self.problem(f"letter {name}", _placed(kind, ClaimError(error.message)), self.lines.of("letters", name))
         found: dict[str, Abbreviation] = {}
         for head, text in definitions.items():
             try:
@@ -207,11 +231,13 @@ class _Reader:
                 found[abbreviation.name] = abbreviation
                 tree(text)
             except ClaimError as error:
-                self.problem(f"definition {head}", error, self.lines.of("definitions", head))
+                self.problem(f"definition {head}", _placed(text, error), self.lines.of("definitions", head))
         return Scope(known, found)
 
-    def entry(self, place: int, row: Mapping[str, Any], scope: Scope, transcript: Transcript | None) -> Entry | None:
-        """Return the entry of an equation, or None for one that cannot be read."""
+    def entry(
+        self, place: int, row: Mapping[str, Any], scope: Scope, transcript: Transcript | None, unread: bool
+    ) -> Entry | None:
+        """Return the entry of an equation, or None for one that has no claim or cannot be read."""
         number = row.get("number")
         label = str(number) if isinstance(number, str | int) and str(number).strip() else ""
         where = f"equation {label}" if label else f"equation at place {place}"
@@ -222,6 +248,8 @@ class _Reader:
                 raise ClaimError("this number is given twice")
             self.numbers.add(label)
             _check(row, STATED_KEYS if transcript else KEYS)
+            if unread:
+                return None
             if bool("claim" in row or row.get("reading")) is ("undecided" in row):
                 raise ClaimError("an equation has a claim, such as claim = \"a == b\"; or it is undecided")
             row = {**row, "number": label}
@@ -241,9 +269,8 @@ def _check(row: Mapping[str, Any], keys: tuple[str, ...]) -> None:
                 raise ClaimError("reading is a list of tables with a claim, such as [{claim = \"a == b\"}]")
             for reading in value:
                 _check(reading, READING_KEYS)
-        elif key != "number" and not isinstance(value, int if key == "line" else str):
-            raise ClaimError(f"{key} is {'an integer' if key == 'line' else 'a text in quotes'}, "
-                             f"got {type(value).__name__}")
+        elif key != "number" and type(value) not in (KIND_OF.get(key, str), Written):
+            raise ClaimError(f"{key} is {WORDS[KIND_OF.get(key, str)]}, got {type(value).__name__}")
 
 
 def _abbreviation(head: str, text: str, taken: Mapping[str, Any], shown: Mapping[str, str]) -> Abbreviation:
@@ -260,7 +287,12 @@ def _abbreviation(head: str, text: str, taken: Mapping[str, Any], shown: Mapping
     return Abbreviation(name, parameters, text, shown.get(name, ""))
 
 
-def _entry(row: Mapping[str, str], scope: Scope, source: str) -> Entry:
+def _placed(text: str, error: ClaimError) -> ClaimError:
+    """Return an error in a text with the place of the text, if it stands in a document."""
+    return text.error(error.message, error.column) if isinstance(text, Written) else error
+
+
+def _entry(row: Mapping[str, Any], scope: Scope, source: str) -> Entry:
     """Return the entry of an equation whose keys were checked; raise ClaimError."""
 
     def read(key: str) -> tuple[Term, Term]:
@@ -268,7 +300,8 @@ def _entry(row: Mapping[str, str], scope: Scope, source: str) -> Entry:
             written = statement(row[key], scope)
             return written, expanded(written, scope.abbreviations)
         except ClaimError as error:
-            raise error if key == "claim" else ClaimError(f"{key}: {error.message}", error.column) from None
+            known = error if key == "claim" else ClaimError(f"{key}: {error.message}", error.column)
+            raise _placed(row[key], known) from None
 
     written, claim = read("claim")
     domain = read("domain")[1] if "domain" in row else None
@@ -277,4 +310,5 @@ def _entry(row: Mapping[str, str], scope: Scope, source: str) -> Entry:
         row["number"], (Reading(claim),), row.get("title", ""), claimed=domain, corrected=correction,
         remark=row.get("remark", ""), source=source, written=written, mended=mended,
         abbreviations=scope.abbreviations, at=row.get("at", ""), printed=row.get("latex", ""),
+        proposed=row.get("proposed", False),
     )  # fmt: skip

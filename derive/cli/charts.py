@@ -3,19 +3,15 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator
 from pathlib import Path
-from typing import Any
 
 import click
-import sympy
 
 from .. import about
-from ..algebra.latex import latex
 from ..codegen import Package, build, catalogue
-from ..maps.chart import Chart
 from ..maps.named import described
 from ..output.shown import Grid, columns, figures
+from ..pages import formulas
 from ..workers import cores
 from . import display, options
 
@@ -79,52 +75,14 @@ def show(
     options.require_cap(orders, max_n)
     with options.refusals("--family" if families else "-n"):
         charts = catalogue.charts(orders, families, phi, None if phi is None else "phi")
-    found = [(chart, _formulas(chart, what)) for chart in charts]
+    for chart in charts:
+        if missing := ", ".join(name for name in what if not hasattr(chart, name)):
+            raise click.BadParameter(f"only Cayley maps have {missing}, not {chart.name}", param_hint="--what")
     if form == "json":
-        rows = ({**_label(chart), **{name: _terms(f) for name, f in given.items()}} for chart, given in found)
-        click.echo(json.dumps(list(rows), indent=2))
+        click.echo(json.dumps([formulas.as_json(chart, what) for chart in charts], indent=2))
         return
-    for chart, given in found:
-        click.echo("\n".join(_lines(chart, given, form)))
-
-
-def _formulas(chart: Chart, what: tuple[str, ...]) -> dict[str, Any]:
-    """Return the formulas with these names, by default all of the chart; a usage error for a name that it lacks."""
-    if missing := ", ".join(name for name in what if not hasattr(chart, name)):
-        raise click.BadParameter(f"only Cayley maps have {missing}, not {chart.name}", param_hint="--what")
-    return {name: getattr(chart, name) for name in what or about.FORMULAS if hasattr(chart, name)}
-
-
-def _label(chart: Chart) -> dict[str, Any]:
-    return {"n": chart.order} if chart.selection[0] == "-n" else {"name": chart.name, "phi": _text(chart.written)}
-
-
-def _terms(value: Any) -> str | dict[str, str]:
-    """Return a polynomial as text, or the coefficients of another formula by basis element."""
-    if isinstance(value, sympy.Expr):
-        return _text(value)
-    basis = ("1", "v") if value.name == "quaternion" else ("I", "skew(v)", "v⊗v")
-    return dict(zip(basis, map(_text, value.coefficients), strict=True))
-
-
-def _lines(chart: Chart, formulas: dict[str, Any], form: str) -> Iterator[str]:
-    heading = ", ".join(f"{key} = {value}" for key, value in _label(chart).items())
-    if form != "latex":
-        yield heading if form == "text" else f"## {heading}\n"
-    for name, value in formulas.items():
-        if form == "text":
-            terms = _terms(value)
-            if isinstance(terms, str):
-                yield f"  {name}_{chart.order} = {terms}"
-            else:
-                yield f"  {name} = {' + '.join(f'({factor}) {basis}' for basis, factor in terms.items())}"
-            continue
-        formula = f"{name}_{{{chart.order}}} = {latex(value)}" if isinstance(value, sympy.Expr) else value.latex()
-        yield f"$${formula}$$\n" if form == "markdown" else formula
-
-
-def _text(expression: sympy.Expr) -> str:
-    return str(sympy.sstr(expression, order="rev-lex"))
+    for chart in charts:
+        click.echo("\n".join(formulas.lines(chart, form, what)))
 
 
 def compare(

@@ -121,7 +121,7 @@ def list_catalogue() -> None:
 
 
 @cli.command()
-@click.argument("sheets", nargs=-1, metavar="[FILE.toml]...", type=click.Path())
+@click.argument("sheets", nargs=-1, metavar="[FILE]...", type=click.Path())
 @click.option("--paper", type=click.Choice(about.PAPERS), help="One paper; all by default.")
 @click.option("--claim", metavar="TEXT", help="One claim, e.g. 'R*transpose(R) == I'.")
 @click.option("--let", "letters", metavar="NAME=KIND", multiple=True, help="Kind of a letter, e.g. R=rotation.")
@@ -138,8 +138,22 @@ def list_catalogue() -> None:
 @click.option("--no-cache", is_flag=True, help="Decide each claim of a file again, and keep no result.")
 @options.max_n
 def verify(**given: Any) -> None:
-    """Decide every equation of the papers, of files, or one claim: true, true where, or false and how to mend it."""
+    """Decide every equation of the papers, of files, or one claim: true, true where, or false and how to mend it.
+
+    A FILE has claims in TOML, or in comments beside its equations: .tex, .md, .rst, .ipynb.
+    """
     run_module("verify", "verify", given)
+
+
+@cli.command()
+@click.argument("document", metavar="FILE", type=click.Path())
+@click.option("-o", "output", type=options.Place(dir_okay=False), help="File of claims to write; else stdout.")
+@click.option("--let", "letters", metavar="NAME=KIND", multiple=True, help="Kind of a letter, e.g. v=vector, beside "
+              "those in comments of the document.")  # fmt: skip
+@click.option("--force", is_flag=True, help="Overwrite the file of claims.")
+def draft(**given: Any) -> None:
+    """Write a file of claims with each displayed equation of a document, and a claim where its LaTeX is surely read."""
+    run_module("verify", "draft", given)
 
 
 def run() -> int:

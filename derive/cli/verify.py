@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import difflib
 import os
+import re
 from collections import Counter
 from collections.abc import Sequence
 from dataclasses import replace
@@ -12,6 +13,7 @@ from pathlib import Path
 import click
 
 from .. import about
+from ..claims.draft import draft as drafted
 from ..claims.language.names import ClaimError
 from ..claims.report import FORMATS, LINEWISE, Report, as_text, data
 from ..claims.result import Status
@@ -60,10 +62,7 @@ def verify(
         click.echo(f"{output}: {report.summary}", err=True)
     if stale:
         display.differences(stale, options.without_check())
-    for problem in report.problems:
-        click.echo(str(problem), err=True)
-    if report.problems:
-        raise click.exceptions.Exit(2)
+    _complain(report.problems)
     wrong = any(result.status in WRONG for result in report.results)
     if stale or report.failed or (strict and wrong):
         raise click.exceptions.Exit(1)
@@ -92,23 +91,53 @@ class Unreadable(click.ClickException):
     exit_code = 2
 
 
-def _single(claim: str, letters: Sequence[str], domain: str) -> Sheet:
+def draft(document: str, output: Path | None, letters: tuple[str, ...], force: bool) -> None:
+    """Run the command ``draft``; parameters are its options."""
+    options.require_writable(output)
+    if output is not None and output.exists() and not force:
+        raise click.UsageError(f"{output} exists, with claims of yours perhaps: give another name, or --force")
+    try:
+        text, problems = drafted(document, _pairs(letters))
+    except SheetError as error:
+        raise Unreadable(str(error)) from None
+    if output is None:
+        click.echo(text, nl=False)
+    else:
+        files.write(output.parent, {output.name: text}, force=True)
+        unread = len(re.findall('^claim = ""', text, re.M))
+        click.echo(f"{output}: {text.count('[[equation]]')} equations, {unread} unread", err=True)
+    _complain(problems)
+
+
+def _complain(problems: Sequence[Problem]) -> None:
+    for problem in problems:
+        click.echo(str(problem), err=True)
+    if problems:
+        raise click.exceptions.Exit(2)
+
+
+def _pairs(letters: Sequence[str]) -> dict[str, str]:
     wrong = next((text for text in letters if not all(part.strip() for part in text.partition("="))), None)
     if wrong is not None:
         raise click.BadParameter(f"expected NAME=KIND such as v=vector, got {wrong!r}", param_hint="--let")
-    pairs = {name.strip(): kind.strip() for name, _, kind in (text.partition("=") for text in letters)}
+    return {name.strip(): kind.strip() for name, _, kind in (text.partition("=") for text in letters)}
+
+
+def _single(claim: str, letters: Sequence[str], domain: str) -> Sheet:
     try:
-        return claim_alone(claim, pairs, domain)
+        return claim_alone(claim, _pairs(letters), domain)
     except ClaimError as error:
         raise Unreadable(f"--claim: {error}") from None
 
 
 def _of_sheets(sheets: Sequence[Sheet], equations: list[str] | None, seconds: float, keep: bool) -> Report:
     total = sum(equations is None or entry.number in equations for sheet in sheets for entry in sheet.entries())
+    unread = [row for sheet in sheets for row in sheet.unread if equations is None or str(row["number"]) in equations]
     with display.progress(total) as step:
         step("equations")
         results = check_sheets(sheets, equations, seconds, step, keep)
-    return Report.of(sheets, results, (), "", [problem for sheet in sheets for problem in sheet.problems])
+    problems = [problem for sheet in sheets for problem in sheet.problems]
+    return Report.of(sheets, results, (), "", problems, unread)
 
 
 def _chosen(papers: Sequence[Sheet], equations: str | None) -> list[str]:

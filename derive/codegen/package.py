@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import itertools
+import sys
 import textwrap
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
@@ -12,7 +13,6 @@ from pathlib import Path
 from typing import Any, Protocol
 
 import mpmath
-import numpy as np
 import sympy
 
 from .. import about
@@ -124,7 +124,7 @@ class Facts:
     @property
     def largest(self) -> dict[str, str]:
         """Largest Re|v| with finite forward maps, by dtype."""
-        most = {name: float(np.finfo(name).max) for name in ("float32", "float64")}
+        most = {"float32": (2 - 2.0**-23) * 2.0**127, "float64": sys.float_info.max}
         return {name: f"{self.chart.overflow(value)[1]:.1g}" for name, value in most.items()}
 
     def header(self, command: str, template: str) -> list[str]:

@@ -22,7 +22,7 @@ from ..claims.deciding.claim import ORDERS
 from ..claims.equation import Entry
 from ..claims.result import Result
 from ..claims.run import SECONDS, check_sheets
-from ..claims.sheet import Sheet, load, sheet
+from ..claims.sheet import FILES, Sheet, load, sheet
 from ..output.shown import Listing, bar, no_op
 
 
@@ -52,7 +52,8 @@ def verify(
     Parameters
     ----------
     paper : str or Path, optional
-        Slug of one paper, or a TOML file; both papers by default. What cannot be read in a file is a warning.
+        Slug of one paper, or a file ``.toml``, ``.tex``, ``.md``, ``.rst`` or ``.ipynb``; both papers by default. What
+        cannot be read in a file is a warning.
     equations : str or iterable of str, optional
         Numbers or slugs, or one string separated by commas: ``"88,111"``. All by default.
     orders : sequence of int, optional
@@ -81,12 +82,13 @@ def verify(
     """
     papers = [p for p in PAPERS if paper in (None, p.slug)]
     file = None
-    if not papers and paper is not None and Path(paper).suffix == ".toml":
+    if not papers and paper is not None and Path(paper).suffix.lower() in FILES:
         papers = [file := load(paper)]
         for problem in file.problems:
             warnings.warn(str(problem), stacklevel=2)
     if not papers:
-        raise ValueError(f"no paper {str(paper)!r}: expected {' or '.join(p.slug for p in PAPERS)}, or a file *.toml")
+        raise ValueError(f"no paper {str(paper)!r}: expected {', '.join(p.slug for p in PAPERS)} or a file "
+                         f"of claims, {', '.join(FILES)}")
     listed = [part.strip() for part in equations.split(",")] if isinstance(equations, str) else equations
     wanted = None if listed is None else [str(number) for number in listed]
     chosen = [(p, e) for p in papers for e in p.entries(wanted)]

@@ -11,11 +11,10 @@ Each statement is also evaluated as printed, at a rational point.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from functools import partial
+from functools import partial, reduce
 from itertools import chain, combinations_with_replacement
 from typing import Any
 
-import numpy as np
 import sympy
 
 from ..algebra.element import Element
@@ -73,22 +72,38 @@ class _Dual:
         return _Dual(derivative(self.re, name), derivative(self.du, name))
 
 
-Array = Any
-"""NumPy array of dual numbers; an array times a dual number has the array first."""
+Row = Sequence[_Dual]
+"""Vector, quaternion, or row of a matrix."""
+
+Matrix = Sequence[Row]
 
 
-def hamilton(a: Array, b: Array) -> Array:
+def dot(a: Row, b: Row) -> _Dual:
+    return reduce(_Dual.__add__, map(_Dual.__mul__, a, b))
+
+
+def times(a: Any, factor: _Dual) -> Any:
+    """Return a dual number, row or matrix times a dual number."""
+    return a * factor if isinstance(a, _Dual) else [times(part, factor) for part in a]
+
+
+def minus(a: Any, b: Any) -> Any:
+    """Return the difference of dual numbers, rows or matrices."""
+    return a - b if isinstance(a, _Dual) else [minus(*parts) for parts in zip(a, b, strict=True)]
+
+
+def hamilton(a: Row, b: Row) -> Row:
     """Return Hamilton's product of quaternions, with i j = k and its cyclic permutations."""
-    return np.array([
+    return [
         a[0] * b[0] - a[1] * b[1] - a[2] * b[2] - a[3] * b[3],
         a[0] * b[1] + a[1] * b[0] + a[2] * b[3] - a[3] * b[2],
         a[0] * b[2] - a[1] * b[3] + a[2] * b[0] + a[3] * b[1],
         a[0] * b[3] + a[1] * b[2] - a[2] * b[1] + a[3] * b[0],
-    ])  # fmt: skip
+    ]  # fmt: skip
 
 
-def _conjugate(a: Array) -> Array:
-    return np.array([a[0], -a[1], -a[2], -a[3]])
+def _conjugate(a: Row) -> Row:
+    return [a[0], -a[1], -a[2], -a[3]]
 
 
 class Components:
@@ -98,22 +113,22 @@ class Components:
         self.cayley = cayley
         self.ring = Ring(extra=("d1", "d2", "d3"))
         self.zero, self.one = (_Dual(self.ring.constant(k), self.ring.constant(0)) for k in (0, 1))
-        self.identity = np.where(np.eye(4, dtype=bool), self.one, self.zero)  # type: ignore[call-overload]
-        self.v = np.array([_Dual(part, self.ring.symbol(f"d{i}")) for i, part in enumerate(self.ring.v, 1)])
-        self.one_plus_v = np.array([self.one, *self.v])
-        self.x = self.v @ self.v
+        self.identity = [[self.one if i == j else self.zero for j in range(4)] for i in range(4)]
+        self.v = [_Dual(part, self.ring.symbol(f"d{i}")) for i, part in enumerate(self.ring.v, 1)]
+        self.one_plus_v = [self.one, *self.v]
+        self.x = dot(self.v, self.v)
         self.z = self.defined()
-        self.norm = self.z @ self.z  # |z|²
-        self.rotation = np.array([self.sandwich(unit)[1:] for unit in self.identity[1:]]).T  # |z|² R
+        self.norm = dot(self.z, self.z)  # |z|²
+        self.rotation: Matrix = list(zip(*map(self.sandwich, self.identity[1:]), strict=True))[1:]  # |z|² R
 
-    def defined(self) -> Array:
+    def defined(self) -> Row:
         return self.power(self.one_plus_v)
 
-    def sandwich(self, r: Array) -> Array:
+    def sandwich(self, r: Row) -> Row:
         return hamilton(hamilton(self.z, r), _conjugate(self.z))
 
-    def power(self, base: Array) -> Array:
-        result = self.identity[0]
+    def power(self, base: Row) -> Row:
+        result: Row = self.identity[0]
         for bit in f"{self.cayley.order:b}":
             result = hamilton(result, result)
             if bit == "1":
@@ -130,18 +145,19 @@ class Components:
         numerators, denominator = self.ring.cleared(lifted)
         return [self._at_dual(numerator) for numerator in numerators], self._at_dual(denominator)
 
-    def _isotropic(self, coefficients: Sequence[Any]) -> tuple[Array, _Dual]:
+    def _isotropic(self, coefficients: Sequence[Any]) -> tuple[Matrix, _Dual]:
         """Return the entries of a I + b skew(v) + c v⊗v, and their common denominator."""
         (a, b, c), denominator = self._expand(coefficients)
         v1, v2, v3 = self.v
-        skew = np.array([[self.zero, -v3, v2], [v3, self.zero, -v1], [-v2, v1, self.zero]])
-        return self.identity[1:, 1:] * a + skew * b + np.outer(self.v * c, self.v), denominator
+        others = [[a, -v3 * b, v2 * b], [v3 * b, a, -v1 * b], [-v2 * b, v1 * b, a]]
+        rows = zip(self.v, others, strict=True)
+        return [[p * c * q + entry for q, entry in zip(self.v, row, strict=True)] for p, row in rows], denominator
 
     def definition(self) -> Checks:
         """Decide (z/|z|)² (1 - v)ⁿ = (1 + v)ⁿ."""
         yield _multiplier(NORM, self.norm)
         product = hamilton(self.z, self.power(_conjugate(self.one_plus_v)))
-        yield from _checks("z (1-v)^n - |z|^2", product - self.identity[0] * self.norm)
+        yield from _checks("z (1-v)^n - |z|^2", minus(product, times(self.identity[0], self.norm)))
 
     def quaternion(self) -> Checks:
         """Decide q̂ ⊗ q̂ = z ⊗ z / |z|², an equation that determines q̂ up to its sign."""
@@ -159,14 +175,14 @@ class Components:
         formula, denominator = self._isotropic(self.cayley.tensor.coefficients)
         yield _multiplier(NORM, self.norm)
         yield _multiplier(m.below(m.R), denominator)
-        yield from _checks("R", self.rotation * denominator - formula * self.norm)
+        yield from _checks("R", minus(times(self.rotation, denominator), times(formula, self.norm)))
 
     def orthogonality(self) -> Checks:
         """Decide R Rᵀ = I by six entries, since the product is symmetric."""
         yield _multiplier(NORM, self.norm, 2)
-        unit = self.identity * (self.norm * self.norm)
+        unit = times(self.identity, self.norm * self.norm)
         for i, j in combinations_with_replacement(range(3), 2):
-            yield from _checks(f"(R R^T)_{i + 1}{j + 1}", self.rotation[i] @ self.rotation[j] - unit[i, j])
+            yield from _checks(f"(R R^T)_{i + 1}{j + 1}", dot(self.rotation[i], self.rotation[j]) - unit[i][j])
 
     def twist(self) -> Checks:
         """Decide vect(R' Rᵀ) = dcay v' in the three dual basis directions.
@@ -180,16 +196,16 @@ class Components:
         for direction in range(3):
             rate = self._rate(f"v{direction + 1}")
             for i, (a, b) in enumerate(CYCLIC):
-                twice = rate[a] @ self.rotation[b] - rate[b] @ self.rotation[a]
-                stated = square * formula[i, direction]
+                twice = dot(rate[a], self.rotation[b]) - dot(rate[b], self.rotation[a])
+                stated = square * formula[i][direction]
                 yield from _checks(f"omega_{i + 1} along e{direction + 1}", twice * denominator - stated - stated)
-            along = np.array([_Dual(self.zero.re, entry.re) for entry in rate.flat]).reshape(3, 3)
+            along = [[_Dual(self.zero.re, entry.re) for entry in row] for row in rate]
             dual_rate = self._rate(f"d{direction + 1}")  # the rate along ε e_j must be ε times the rate along e_j
-            yield from _checks(f"rate along eps e{direction + 1}", dual_rate - along)
+            yield from _checks(f"rate along eps e{direction + 1}", minus(dual_rate, along))
 
-    def _rate(self, name: str) -> Array:
+    def _rate(self, name: str) -> Matrix:
         """Return the derivative of |z|² R by a component of v or of its dual part."""
-        return np.array([entry.derivative(name) for entry in self.rotation.flat]).reshape(3, 3)
+        return [[entry.derivative(name) for entry in row] for row in self.rotation]
 
     def inverse(self) -> Checks:
         """Decide dcay dcay⁻¹ = I."""
@@ -197,8 +213,9 @@ class Components:
         inverse, below_inverse = self._isotropic(self.cayley.tangent_inv.coefficients)
         yield _multiplier(m.below(m.dcay), below_tangent)
         yield _multiplier(m.below(m.dcay_inv), below_inverse)
-        unit = self.identity[1:, 1:] * (below_tangent * below_inverse)
-        yield from _checks("dcay dcay^-1", tangent @ inverse - unit)
+        product = [[dot(row, column) for column in zip(*inverse, strict=True)] for row in tangent]
+        unit = times([row[1:] for row in self.identity[1:]], below_tangent * below_inverse)
+        yield from _checks("dcay dcay^-1", minus(product, unit))
 
     def proofs(self, statements: Sequence[Statement] = STATEMENTS) -> Iterator[Proof]:
         """Decide the statements one after the other; controls pass altered statements."""
@@ -211,10 +228,14 @@ class Components:
             yield decide(name, claim, METHOD, everything, f"n = {self.cayley.order}", premises)
 
 
-def _checks(label: str, value: Any) -> Checks:
-    for place, entry in np.ndenumerate(value):
-        yield f"{label}{list(place) or ''}, real part", entry.re
-        yield f"{label}{list(place) or ''}, dual part", entry.du
+def _checks(label: str, value: Any, *place: int) -> Checks:
+    """Yield both parts of each entry of a dual number, row or matrix."""
+    if isinstance(value, _Dual):
+        yield f"{label}{list(place) or ''}, real part", value.re
+        yield f"{label}{list(place) or ''}, dual part", value.du
+    else:
+        for i, entry in enumerate(value):
+            yield from _checks(label, entry, *place, i)
 
 
 def _multiplier(term: sympy.Expr, value: _Dual, power: int = 1) -> Multiplier:

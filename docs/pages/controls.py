@@ -20,7 +20,7 @@ from derive.maps import Cayley
 from derive.maps.chart import Chart
 from derive.maps.elementary import alpha
 from derive.proof.at_order import FUNCTIONS, Function, computations, instances
-from derive.proof.components import STATEMENTS, Components, hamilton
+from derive.proof.components import STATEMENTS, Components, hamilton, times
 from derive.proof.identity import NO_VALUE, Equation, Proof
 from derive.proof.methods import Theorem
 from derive.proof.notation import Shifted
@@ -105,14 +105,14 @@ class _Doubled(Components):
     """Definition of z altered to (1 + 2v)ⁿ."""
 
     def defined(self) -> Any:
-        return self.power(self.one_plus_v + self.one_plus_v - self.identity[0])
+        return self.power([self.one, *times(self.v, self.one + self.one)])
 
 
 class _Zero(Components):
     """Definition of z altered to 0."""
 
     def defined(self) -> Any:
-        return self.identity[0] * self.zero
+        return times(self.identity[0], self.zero)
 
 
 class _Unconjugated(Components):

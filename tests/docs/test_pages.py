@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 import re
 import shlex
@@ -31,6 +32,7 @@ from docs._ext import chart_examples, dark, function_pages, links, printed, publ
 from dualcay import cayley2
 from dualcay.rotation import cayley2 as rotation
 from tests.support import browsers, compilers, examples, node, packages, pages
+from tests.support.command import dualcay as dualcay_command
 from tests.support.libraries import jax
 from tests.support.pages import ROOT
 
@@ -70,6 +72,17 @@ def test_commands_exist(name: str, line: str) -> None:
 @pytest.mark.parametrize("page", PAGES, ids=TEXTS)
 def test_links_lead_to_files(page: Path) -> None:
     assert pages.dead_links(page) == []
+
+
+def test_document_with_claims_is_decided_as_the_page_says(tmp_path: Path) -> None:
+    text = TEXTS["docs/howto/paper_source.md"]
+    rows = re.findall(r"^\| `(.+?)` \| `(paper.tex:\d+)` \| `?([\w-]+)", text, re.M)
+    (tmp_path / "paper.tex").write_text(pages.blocks(text, "latex")[0], encoding="utf-8")
+    done = dualcay_command("verify", "paper.tex", "--format", "json", cwd=tmp_path)
+    found = json.loads(done.stdout)
+    unread = [(row["number"], row["at"], "unread") for row in found["unread"]]
+    assert [(row["equation"], row["at"], row["status"]) for row in found["equations"]] + unread == rows
+    assert dualcay_command("draft", "paper.tex", cwd=tmp_path).stdout.count("\nproposed = true") == 1
 
 
 @pytest.mark.thorough

@@ -198,6 +198,7 @@ FIRST = {
     "accuracy.html": ("digits that are right", "pose of v, below half a turn"),
     "assurance.html": ("target proved executed",),
     "explanation/live.html": ("Move the sliders", "rotation angle (°) 90"),
+    "try.html": ("The first question loads", "Examples: Rodrigues' formula", "Letters"),
 }
 """Words on the first screen of a page, on a wide screen and on a phone."""
 SECOND = {

@@ -18,7 +18,7 @@ import numpy as np
 import pytest
 
 from derive.codegen.signatures import POSES, PUBLIC, ROTATIONS
-from derive.codegen.validation import NUMPY, replay
+from derive.codegen.validation.replay import NUMPY, replay
 from derive.maps import Cayley, family
 from tests.support.kernels import load, said
 from tests.support.native import PLAIN, build, found

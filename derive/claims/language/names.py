@@ -124,17 +124,20 @@ PARTS_MAX = 6000
 
 
 class ClaimError(ValueError):
-    """Error for a text that is no claim, with its column, counted from 1; 0 for no place in a text."""
+    """Error for a text that is no claim, with its column, counted from 1; 0 for no place in a text.
 
-    def __init__(self, message: str, column: int = 0) -> None:
+    `at` is the file and line of a text that stands in a document.
+    """
+
+    def __init__(self, message: str, column: int = 0, at: tuple[str, int] | None = None) -> None:
         super().__init__(message)
-        self.message, self.column = message, column
+        self.message, self.column, self.at = message, column, at
 
     def __str__(self) -> str:
         return f"column {self.column}: {self.message}" if self.column else self.message
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return type(self), (self.message, self.column)
+        return type(self), (self.message, self.column, self.at)
 
 
 @dataclass

@@ -62,6 +62,12 @@ def _kron(a: Any, b: Any) -> Kind:
     return a[0] * b[0], a[1] * b[1]
 
 
+def _dot(a: Kind, b: Kind) -> Kind:
+    if a != b and not (is_number(a) and is_number(b)):
+        raise KindError(f"dot takes columns of one size, got {name(a)} and {name(b)}")
+    return "number"
+
+
 def _exponential(kind: Any) -> Any:
     """Return the kind of an exponential: that of a vector is a quaternion, that of a twist a pose."""
     return {VECTOR: "quaternion", TWIST: POSE, "integer": "number"}.get(kind, kind)
@@ -111,7 +117,7 @@ t = operator_table
 OPERATIONS: dict[str, Operation] = {
     "norm": Operation(("number or column or quaternion",), "number", t.norm,
                       "magnitude of a number, column or quaternion", "norm(v)"),
-    "dot": Operation(("column", "column"), "number", t.dot, "scalar product of two columns", "dot(v, w)"),
+    "dot": Operation(("column", "column"), _dot, t.dot, "scalar product of two columns", "dot(v, w)"),
     "cross": Operation(("vector", "vector"), VECTOR, t.cross, "vector product", "cross(v, w)"),
     "distance": Operation(("vector", "vector"), "number", matrices.distance,
                           "shortest distance of two lines, given by unit dual vectors", "distance(v, w)"),

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from shlex import quote
 from typing import Protocol
 
 from ... import about
@@ -74,23 +75,26 @@ class Report:
     proofs: tuple[StatementProof, ...]
     root: str = ""
     problems: tuple[Problem, ...] = ()
+    unread: tuple[Mapping[str, str], ...] = ()  # number, place and LaTeX of equations without a claim
 
     @classmethod
     def of(
         cls, papers: Iterable[Paper], results: Sequence[Result], proofs: Iterable[StatementProof], root: str = "",
-        problems: Iterable[Problem] = (),
+        problems: Iterable[Problem] = (), unread: Iterable[Mapping[str, str]] = (),
     ) -> Report:  # fmt: skip
-        """Return a report with results grouped by paper, and what could not be read in files."""
+        """Return a report with results grouped by paper, what could not be read in files, and what has no claim."""
         chapters = (Chapter(paper, tuple(r for r in results if r.paper == paper.slug)) for paper in papers)
-        return cls(tuple(chapter for chapter in chapters if chapter.results), tuple(proofs), root, tuple(problems))
+        found = tuple(chapter for chapter in chapters if chapter.results)
+        return cls(found, tuple(proofs), root, tuple(problems), tuple(unread))
 
     @property
     def counts(self) -> dict[str, int]:
         """Numbers of equations that are decided and not read, then those of each status and of proofs."""
         found = Counter(result.status for result in self.results)
         decided = len(self.results) - found[Status.UNDECIDED] - found[Status.UNREFUTED]
+        counts = {"decided": decided, "unread": len(self.unread) + len(self.problems)}
         rest = {str(status): found[status] for status in MEANING} | {"proofs": len(self.proofs)}
-        return {"decided": decided, "unread": len(self.problems)} | {what: n for what, n in rest.items() if n}
+        return counts | {what: n for what, n in rest.items() if n}
 
     @property
     def summary(self) -> str:
@@ -164,6 +168,7 @@ def domain(result: Result) -> tuple[str, ...]:
 def details(result: Result) -> tuple[str, ...]:
     """Return further lines about a claim of a file: a point outside its condition, what mends it, what it needs."""
     return (
+        *([result.caution] if result.caution else []),
         *([result.outside.point] if result.outside else []),
         *([result.cuts] if result.cuts else []),
         *(f"true with: {change}" for change in result.changes),
@@ -191,7 +196,7 @@ def subject(result: Result) -> str:
 def command(result: Result) -> str:
     """Return the command that prints the entry with its counterexample."""
     if result.paper not in about.PAPERS:
-        return f"dualcay verify {result.equation.source} --eq {result.equation.number}"
+        return f"dualcay verify {quote(result.equation.source)} --eq {quote(result.equation.number)}"
     return f"dualcay verify --paper {result.paper} --eq {result.equation.number}"
 
 

@@ -40,7 +40,8 @@ Rows = Iterator[tuple[str, ...]]
 
 
 def as_text(report: Report, width: int = WIDTH) -> str:
-    return "\n".join(grid.text(width) for grid in _grids(report))
+    end = [f"{report.summary}\n"] if report.unread else []
+    return "\n".join([*(grid.text(width) for grid in _grids(report)), *end])
 
 
 def _grids(report: Report) -> Iterator[Grid]:
@@ -57,6 +58,9 @@ def _grids(report: Report) -> Iterator[Grid]:
         for status in TABLES:
             if chapter.of(status):
                 yield table(chapter, status)
+    if report.unread:
+        places = [(row["number"], row["at"]) for row in report.unread]
+        yield Grid("unread: equations without a claim", [Column("equation", width=24), Column("printed at")], places)
     if report.problems:
         unread = [(problem.equation, str(problem)) for problem in report.problems]
         yield Grid("not read", [Column("equation", width=14), Column("reason")], unread, MIN_WIDTH)
@@ -158,6 +162,7 @@ def as_json(report: Report) -> str:
             {**{name: getattr(proof, name) for name in PROOF_FIELDS}, "seconds": round(proof.seconds, 6)}
             for proof in report.proofs
         ],
+        "unread": report.unread,
         "errors": [problem.as_json() for problem in report.problems],
     }
     return json.dumps(data, indent=2, ensure_ascii=False) + "\n"

@@ -99,7 +99,9 @@ def prose(text: str) -> str:
 
 
 def in_line(latex: str) -> str:
-    """Return a formula within a line of Markdown; a backtick would end it."""
+    """Return a formula within a line of Markdown; a backtick would end it, and a bare & or row stands in no formula."""
+    if re.search(r"&|\\\\", latex) and r"\begin" not in latex:
+        latex = rf"\begin{{aligned}} {latex} \end{{aligned}}"
     return f"$`{' '.join(latex.replace('`', chr(39)).split())}`$"
 
 

@@ -8,6 +8,7 @@ import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from importlib.util import find_spec
+from typing import TYPE_CHECKING
 
 from ..lowering.retraction import EXPONENTIAL
 from ..lowering.scalar_programs import SCALARS, SQUARES
@@ -15,8 +16,10 @@ from ..lowering.slopes import slopes
 from ..package import Data, Facts
 from ..rows import RULE, Table
 from ..signatures import lower_chart
-from ..validation import Library
 from .python import PythonTarget, printed_scalars
+
+if TYPE_CHECKING:
+    from ..validation.replay import Library
 
 STRICT = "array_api_strict"
 STORED = {"exponential_scalars": "stored", "followed": "stored", "displacement": "stored", "vector_of": "taken"}
@@ -69,6 +72,8 @@ class ArrayApi(PythonTarget):
 
     def libraries(self) -> Sequence[Library]:
         """Return NumPy, and the strict reference of the standard if installed."""
+        from ..validation.replay import Library
+
         names = ("numpy", *([STRICT] if find_spec(STRICT) else []))
         return [Library(name, importlib.import_module(name).asarray, silent=False) for name in names]
 

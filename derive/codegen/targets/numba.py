@@ -13,6 +13,7 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from ...maps.chart import Chart
 from ...output import RefusedError
@@ -20,10 +21,12 @@ from ..package import Data, Facts
 from ..programs.program import Call, Program
 from ..rows import Function, Table
 from ..signatures import geometry, printed_geometry, shared_with_poses
-from ..validation import Library
 from . import expression
 from .expression import WIDTH, Lists, items
 from .python import PythonFunction, PythonTarget, formula_of
+
+if TYPE_CHECKING:
+    from ..validation.replay import Library
 
 MOST_OUTPUTS = 9  # largest number of stores in a loop that LLVM still vectorizes
 TABLE = "table"  # argument of constants, equal for all poses; for some functions only the chart knows its length

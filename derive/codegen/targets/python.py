@@ -8,7 +8,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from ... import about
 from ...maps.cayley import EQUATIONS
@@ -22,9 +22,12 @@ from ..programs.program import Program
 from ..programs.shared import with_helpers
 from ..rows import Function, Table, inside
 from ..signatures import JACOBIAN, POSES, ROTATIONS, SIDES, printed_geometry, shared_with_poses
-from ..validation import NUMPY, Library, replay, validate
+from ..validation import validate
 from ..validation.calls import require_calls
 from . import expression
+
+if TYPE_CHECKING:
+    from ..validation.replay import Library
 
 INTERFACE = "_interface.py"
 CLASSES = {POSES: "PoseKernels", ROTATIONS: "RotationKernels"}  # classes of the documented interfaces, by table
@@ -139,9 +142,13 @@ class PythonTarget(Target):
         return validate(folder, chart, geometry, self.tables)
 
     def replay(self, folder: Path, chart: Chart, geometry: bool) -> int:
+        from ..validation.replay import replay
+
         return replay(folder, chart, self.libraries(), self.tables, geometry=geometry)
 
     def libraries(self) -> Sequence[Library]:
+        from ..validation.replay import NUMPY
+
         return (NUMPY,)
 
     def require_complete(self, texts: Mapping[str, str]) -> None:

@@ -6,13 +6,13 @@ them on exact numbers.
 
 from __future__ import annotations
 
+import struct
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
 import mpmath
-import numpy as np
 
 from ...maps.chart import Chart
 from ..descriptions import about, sections
@@ -153,7 +153,9 @@ def double(decimal: str) -> str:
 def single(decimal: str) -> str:
     """Return the shortest decimal of the nearest number of 24 bits."""
     with mpmath.workprec(24):
-        return str(np.float32(float(+mpmath.mpf(decimal))))
+        exact = float(+mpmath.mpf(decimal))
+    shorter = (float(f"{exact:.{digits}g}") for digits in range(1, 10))
+    return repr(next(number for number in shorter if struct.unpack("f", struct.pack("f", number)) == (exact,)))
 
 
 def broken(head: str, texts: Sequence[str], tail: str, indent: str, mark: str = "") -> str:

@@ -11,8 +11,6 @@ import sysconfig
 from collections.abc import Iterable
 from pathlib import Path
 
-import numpy as np
-
 from ...maps.chart import Chart
 from ...workers import SlowError, run, scratch
 from .batches import ValidationFailed
@@ -50,6 +48,8 @@ def test(folder: Path, chart: Chart) -> int | None:
 
 def require_modules(folder: Path, sources: Iterable[str]) -> None:
     """Require extension modules that a compiler understands in all types, where one is found with Python's headers."""
+    import numpy as np
+
     command, headers = compiler(), [sysconfig.get_path("include"), np.get_include()]
     if command is None or not Path(headers[0], "Python.h").is_file():
         return

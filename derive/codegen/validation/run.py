@@ -10,7 +10,6 @@ from types import ModuleType
 from typing import Any
 
 import mpmath
-import numpy as np
 
 from ...maps.chart import Chart
 from ..rows import Table
@@ -32,6 +31,8 @@ def validate(folder: Path, chart: Chart, geometry: bool, tables: Sequence[Table]
     With ``geometry`` all functions are called, which also tests the geometry programs that all charts share; otherwise
     only `own_functions`. `ValidationFailed` names the function and the first wrong component.
     """
+    import numpy as np  # here and below: printing does without it
+
     with loaded(folder) as package, mpmath.workdps(EXACT_DIGITS), np.errstate(all="ignore"):
         count = 0
         for table in tables:
@@ -71,6 +72,8 @@ def _check(module: ModuleType, batch: Batch) -> int:
 
     Programs run objects case by case: one case alone shows the difference, a batch without axes.
     """
+    import numpy as np
+
     function = getattr(module, batch.function)
     columns = zip(*(case.arguments for case in batch.cases), strict=True)
     arguments = [_array(rows, array.shape) for rows, array in zip(columns, batch.row.arguments, strict=True)]
@@ -93,6 +96,8 @@ def _call(function: Callable[..., Any], arrays: Sequence[Any], branch: Sequence[
 
 def _array(rows: tuple[tuple[Any, ...], ...], shape: tuple[int, ...]) -> Any:
     """Return an argument of all cases as an object array, each case in the shape of the argument."""
+    import numpy as np
+
     array = np.empty((len(rows), len(rows[0])), object)
     for index, row in enumerate(rows):
         array[index] = row

@@ -69,7 +69,8 @@ def test_a_second_run_decides_nothing_and_gives_the_same_bytes_in_every_format(f
 @pytest.mark.parametrize(
     ("old", "new", "expected"),
     [
-        ("", "", ["3"]), ('"1"\n', '"1"\nat = "b.tex:3"\ntitle = "t"\nremark = "r"\nlatex = "x"\n', ["3"]),
+        ("", "", ["3"]),
+        ('"1"\n', '"1"\nat = "b.tex:3"\ntitle = "t"\nremark = "r"\nlatex = "x"\nproposed = true\n', ["3"]),
         ('"1"', '"7"', ["3", "7"]), ("w + cross", "w - cross", ["1", "3"]), ("norm(x) < 3", "norm(x) < 4", ["2", "3"]),
         ('domain = "norm(x) < 3"', "", ["2", "3"]), ("== 2*dot", "== 3*dot", ["3", "4"]), ("I + skew", "I - skew", ALL),
         ("x**2/x == x", "H(x) == x + x", ["2", "3"]), ("x**2/x == x", "H(v) == v + v", ["2", "3"]),

@@ -15,9 +15,8 @@ from derive.codegen import ValidationFailed
 from derive.codegen.build import build
 from derive.codegen.signatures import POSES, ROTATIONS
 from derive.codegen.targets import TARGETS
-from derive.codegen.validation import NUMPY, replay
 from derive.codegen.validation.float_cases import cases
-from derive.codegen.validation.replay import FEW, MANY, Caller, Group
+from derive.codegen.validation.replay import FEW, MANY, NUMPY, Caller, Group, replay
 from derive.maps import Cayley
 from derive.output import files
 from dualcay._runtime import POINTWISE_MAX

@@ -13,7 +13,8 @@ from derive.codegen.lowering.scalar_programs import SQUARES
 from derive.codegen.programs.program import Call
 from derive.codegen.signatures import POSES, ROTATIONS, geometry
 from derive.codegen.targets import TARGETS
-from derive.codegen.validation import NUMPY, replay, validate
+from derive.codegen.validation import validate
+from derive.codegen.validation.replay import NUMPY, replay
 from derive.maps import Cayley
 from derive.output import files
 

@@ -50,6 +50,7 @@ def test_what_cannot_be_read_has_a_line_too():
     with pytest.raises(SheetError) as error:
         sheet("[letters]\nx = = 3", "b.toml")
     assert unreadable("b.toml", error.value).line == 2
+    assert str(unreadable("c.tex", SheetError("c.tex:7: too long"))) == "c.tex:7: too long"
     assert unreadable("b.toml", SheetError("b.toml: unknown table 'x (at line 9, column 1)': expected x")).line is None
 
 
@@ -131,10 +132,12 @@ def test_a_claim_stands_where_it_is_printed_if_that_file_is_there(tmp_path: Path
         (tmp_path / name / "claims.toml").write_text(text)
     (tmp_path / "one" / "paper.tex").touch()
     (tmp_path / "bad.toml").write_text("x = \n")
-    names = ("two/claims.toml", "bad.toml", "one/claims.toml", "one/claims.toml")
+    (tmp_path / "two" / "notes.md").write_text("$$a$$\n\n$$b$$\n<!-- dualcay: claim 1 == 2 -->\n")
+    names = ("two/claims.toml", "bad.toml", "one/claims.toml", "one/claims.toml", "two/notes.md")
     done = dualcay("verify", "--format", "github", *names, cwd=tmp_path)
     found = re.findall(r"^::error file=(.*?),line=(\d+)", done.stdout, re.M)
-    assert (done.returncode, found) == (2, [("two/claims.toml", "7"), ("one/paper.tex", "41"), ("bad.toml", "1")])
-    assert done.stdout.endswith("\n2 decided, 1 unread: 2 false\n")
+    places = [("two/claims.toml", "7"), ("one/paper.tex", "41"), ("two/notes.md", "3"), ("bad.toml", "1")]
+    assert (done.returncode, found) == (2, places)
+    assert done.stdout.endswith("\n3 decided, 2 unread: 3 false\n")
     shutil.rmtree(tmp_path / "one")
     assert "::error file=bad.toml,line=1" in dualcay("verify", "--format", "github", "bad.toml", cwd=tmp_path).stdout

@@ -13,7 +13,7 @@ from derive.claims.language.operator_table import Re, equal, nonzero
 from derive.claims.language.printed import Symbol, latex
 from derive.claims.report.content import Report, domain, example, extent
 from derive.claims.report.forms import as_text, table
-from derive.claims.report.plain import escape, plain
+from derive.claims.report.plain import escape, in_line, plain
 from derive.claims.result import Counterexample, Result, Status, Verdict
 from derive.papers import PAPERS
 
@@ -50,7 +50,7 @@ def test_data_of_an_erratum() -> None:
         "method": "exact", "anchor": "condurache-popa-2023-7", "section": "9", "line": 3, "source": SOURCE,
         "said": "words", "remark": "A sign is missing. More.", "claim": None, "domain": None,
         "outside": None, "certainty": "", "points": 0, "changes": (), "vacuous": (), "needs": (), "cuts": "", "at": "",
-        "latex": None,
+        "latex": None, "proposed": False,
     }  # fmt: skip
 
 
@@ -251,3 +251,9 @@ def test_escaped_sign_reads_as_the_sign(sign: str) -> None:
 )  # fmt: skip
 def test_text_for_latex(text: str, escaped: str) -> None:
     assert escape(text) == escaped
+
+
+def test_rows_of_a_display_are_a_formula_in_markdown() -> None:
+    assert in_line(r"a &= b \\ &= c") == r"$`\begin{aligned} a &= b \\ &= c \end{aligned}`$"
+    cases = r"\begin{cases} a & b \\ c & d \end{cases}"
+    assert in_line(cases) == f"$`{cases}`$"
