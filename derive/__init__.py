@@ -50,7 +50,7 @@ __all__ = [
 ]  # fmt: skip
 
 _OWN = {
-    "__init__.py", "__main__.py", "about.py", "front.py", "motion_equations.py", "workers.py",
+    "__init__.py", "__main__.py", "about.py", "front.py", "mcp.py", "motion_equations.py", "workers.py",
     "algebra", "claims", "cli", "codegen", "maps", "output", "pages", "papers", "proof",
 }  # fmt: skip
 """Modules and packages of this folder. An installed folder may also hold files of another distribution."""

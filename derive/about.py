@@ -40,7 +40,7 @@ SHEET = "sheet"
 PAPERS = ("condurache-popa-2023", "karakilic-2010")
 """Slugs of the registered papers: names of files and packages in `derive.papers`."""
 
-FORMATS = ("text", "json", "markdown", "html", "latex")
+FORMATS = ("text", "json", "markdown", "html", "latex", "github", "sarif")
 """Keys of `derive.claims.report.FORMATS`."""
 
 

@@ -24,6 +24,7 @@ MISSING = {
         ("compiler", compilers.find(), compilers.MISSING),
         ("fortran", shutil.which("gfortran"), "gfortran is not found (apt-get install gfortran)"),
         ("rust", shutil.which("cargo"), "cargo is not found (install Rust)"),
+        ("mcp", importlib.util.find_spec("mcp"), "the library mcp is not installed (extra 'mcp')"),
         ("node", node.find(), node.MISSING),
         ("coq", shutil.which("coqc"), "Coq is not installed (apt-get install coq)"),
         ("vex", importlib.util.find_spec("cle"), "cle is not installed (extra 'bytes')"),
@@ -36,10 +37,12 @@ MISSING = {
 
 # By default, tests use the NumPy kernels without compiled functions; DUALCAY_NATIVE=1 uses installed ones.
 os.environ.setdefault("DUALCAY_NATIVE", "0")
+# Each test decides its claims; tests of kept results name a folder of their own.
+os.environ["DUALCAY_CACHE"] = ""
 
 
 SELECTED = {
-    "browser", "compiler", "coq", "fortran", "gpu", "node", "octave", "rust", "smoke", "thorough", "torch", "vex",
+    "browser", "compiler", "coq", "fortran", "gpu", "mcp", "node", "octave", "rust", "smoke", "thorough", "torch", "vex",
 }  # fmt: skip
 """Markers of this project that select tests."""
 

@@ -21,11 +21,11 @@ pytestmark = pytest.mark.smoke
 ORDER = {
     "derive": (
         "about", "workers", "output", "algebra", "claims", "maps", "motion_equations", "proof", "papers",
-        "codegen", "pages", "front", "cli", "__main__",
+        "codegen", "pages", "front", "cli", "mcp", "__main__",
     ),
     "derive.claims": (
         "numbers", "language", "documents", "proposal", "extracted", "equation", "result", "deciding", "decide",
-        "transcript", "sheet", "draft", "run", "report",
+        "transcript", "lines", "sheet", "draft", "kept", "run", "report",
     ),
     "derive.claims.deciding": (
         "terms", "place", "claim", "frames", "solved", "constrained", "singular", "zeros", "polar", "identity",

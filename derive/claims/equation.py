@@ -158,6 +158,10 @@ class Paper:
         """Return the entries in the paper's order: all, or those of some numbers."""
         raise NotImplementedError
 
+    def line(self, number: str) -> int:
+        """Return the line of the paper's file on which the entry of a number stands; 0 if it is not known."""
+        return 0
+
     def inventory(self) -> dict[int, tuple[str, ...] | str]:
         """Return the inventory: each line with its deciding entries, or with the reason why it claims nothing."""
         lines: dict[int, tuple[str, ...] | str] = {}

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
-from dataclasses import asdict, dataclass, field
+from dataclasses import asdict, dataclass, field, fields
 from enum import StrEnum
 from typing import Any
 
@@ -77,6 +77,11 @@ class Result(Typeset):
     vacuous: tuple[str, ...] = ()  # terms whose sign or coefficient does not matter
     needs: tuple[str, ...] = ()  # constraints of letters without which the claim is false
     cuts: str = ""  # how many points fail on other branches, and where they lie
+
+    @property
+    def own(self) -> dict[str, Any]:
+        """Fields that the decision found: all but the paper and the entry."""
+        return {field.name: getattr(self, field.name) for field in fields(self)[2:]}
 
     @property
     def printed(self) -> str:

@@ -15,12 +15,12 @@ import threading
 from collections.abc import Callable, Collection, Sequence
 from concurrent.futures import ThreadPoolExecutor, as_completed
 from contextlib import suppress
-from dataclasses import fields
 from typing import Any
 
 from ..output.shown import Listing, bar, no_op
 from ..workers import ALONE, cores, limit, stopped
 from .equation import UndecidedError
+from .kept import Store, folder
 from .result import Result, undecided
 from .sheet import Sheet, claim_alone
 
@@ -29,11 +29,12 @@ SECONDS = 60.0
 
 
 def decide_each(
-    items: Sequence[tuple[Sheet, int]], seconds: float = SECONDS, step: Callable[[str], None] = lambda line: None
-) -> list[Result]:
+    items: Sequence[tuple[Sheet, int]], seconds: float = SECONDS, step: Callable[[str], None] = lambda line: None,
+    store: Store | None = None,
+) -> list[Result]:  # fmt: skip
     """Return the results of entries by sheet and place, in order; a slow one is undecided.
 
-    A process that is `ALONE` decides them itself, without a limit.
+    Results that the store has are not decided again. A process that is `ALONE` decides all itself, without a limit.
     """
     if ALONE:
         alone = []
@@ -41,12 +42,16 @@ def decide_each(
             alone.append(found_here(sheet, place))
             step(f"equation {sheet.entries()[place].number}")
         return alone
+    store = store or Store(None, seconds)
+    kept = [store.find(sheet, sheet.entries()[place]) for sheet, place in items]
+    for result in filter(None, kept):
+        step(f"equation {result.equation.number}")
     stop, idle = threading.Event(), queue.SimpleQueue[_Worker]()
-    crew = [_Worker(stop) for _ in range(min(cores(), len(items)))]
+    crew = [_Worker(stop) for _ in range(min(cores(), kept.count(None)))]
     for worker in crew:
         idle.put(worker)
 
-    def decided(sheet: Sheet, place: int) -> Result:
+    def decided(sheet: Sheet, place: int) -> tuple[Result, bool]:
         worker = idle.get()
         try:
             return worker.decide(sheet, place, seconds)
@@ -54,12 +59,14 @@ def decide_each(
             idle.put(worker)
 
     with ThreadPoolExecutor(max(len(crew), 1)) as pool:
-        found = {pool.submit(decided, *item): item for item in items}
+        found = {pool.submit(decided, *items[i]): i for i, result in enumerate(kept) if result is None}
         try:
             for future in as_completed(found):
-                future.result()
-                sheet, place = found[future]
-                step(f"equation {sheet.entries()[place].number}")
+                i, (result, settled) = found[future], future.result()
+                kept[i] = result
+                if settled:
+                    store.keep(items[i][0], result)
+                step(f"equation {result.equation.number}")
         finally:
             stop.set()
             for worker in crew:
@@ -67,7 +74,8 @@ def decide_each(
             pool.shutdown(cancel_futures=True)
             for worker in crew:
                 worker.close()
-    return [future.result() for future in found]
+            store.shrink()
+    return list(filter(None, kept))
 
 
 def check(claim: str, /, *, domain: str = "", seconds: float = SECONDS, **letters: str) -> Result:
@@ -103,18 +111,21 @@ def check(claim: str, /, *, domain: str = "", seconds: float = SECONDS, **letter
     """
     with bar() as step:
         step("claim")
-        (result,) = check_sheets([claim_alone(claim, letters, domain)], None, seconds)
+        (result,) = check_sheets([claim_alone(claim, letters, domain)], None, seconds, keep=True)
     return result
 
 
 def check_sheets(
     sheets: Sequence[Sheet], numbers: Collection[str] | None = None, seconds: float = SECONDS,
-    step: Callable[[str], None] = no_op,
-) -> Listing[Result]:
-    """Decide the equations of files; `numbers` chooses some, and `step` is called after each."""
+    step: Callable[[str], None] = no_op, keep: bool = False,
+) -> Listing[Result]:  # fmt: skip
+    """Decide the equations of files; `numbers` chooses some, and `step` is called after each.
+
+    With `keep`, results stay in the user's cache, and those that are there are not decided again.
+    """
     places = [(sheet, place, entry.number) for sheet in sheets for place, entry in enumerate(sheet.entries())]
     items = [(sheet, place) for sheet, place, number in places if numbers is None or number in numbers]
-    return Listing(decide_each(items, seconds, step))
+    return Listing(decide_each(items, seconds, step, Store(folder() if keep else None, seconds)))
 
 
 class _Worker:
@@ -136,8 +147,11 @@ class _Worker:
         if self.process is not None:
             self.process.kill()
 
-    def decide(self, sheet: Sheet, place: int, seconds: float) -> Result:
-        """Return the result of an entry; one found before the worker died or was slow is kept, else it is undecided."""
+    def decide(self, sheet: Sheet, place: int, seconds: float) -> tuple[Result, bool]:
+        """Return the result of an entry, and whether it is all that its processor time gives.
+
+        A result found before the worker died or was slow stands, else the entry is undecided.
+        """
         own: dict[str, Any] = {}
         if self.process is None:
             paths = os.pathsep.join(path or os.getcwd() for path in sys.path)
@@ -150,7 +164,7 @@ class _Worker:
                 self.kill()
             with suppress(EOFError):
                 pickle.load(self.process.stdout)  # it is ready; loading does not count as time of an equation
-        process, slug, entry = self.process, sheet.slug, sheet.entries()[place]
+        process, slug, entry, settled = self.process, sheet.slug, sheet.entries()[place], True
         assert process.stdin is not None
         assert process.stdout is not None
         try:
@@ -161,11 +175,11 @@ class _Worker:
                 final, own = pickle.load(process.stdout)
         except (EOFError, OSError, pickle.UnpicklingError):
             self.close()
+            settled = stopped(process.returncode)
             if not own:
-                late = stopped(process.returncode)
-                reason = f"not decided within {seconds:g} s of processor time" if late else "its process died"
-                return undecided(slug, entry, reason)
-        return Result(slug, entry, **own)
+                reason = f"not decided within {seconds:g} s of processor time" if settled else "its process died"
+                return undecided(slug, entry, reason), settled
+        return Result(slug, entry, **own), settled
 
 
 def serve() -> None:
@@ -214,8 +228,7 @@ def _serve() -> None:
     threading.Thread(target=_receive, args=(requests,), daemon=True).start()
 
     def answer(result: Result, final: bool = False) -> None:
-        own = {field.name: getattr(result, field.name) for field in fields(result)[2:]}  # without slug and entry
-        pickle.dump((final, own), answers)
+        pickle.dump((final, result.own), answers)
         answers.flush()
 
     while True:

@@ -27,6 +27,7 @@ from .language.letters import letters as declared
 from .language.names import Abbreviation, ClaimError, Scope, expanded
 from .language.operations import CONSTANTS, OPERATIONS
 from .language.printed import Symbol, Term
+from .lines import Lines
 from .transcript import READING_KEYS, Transcript
 
 FILES = (".toml", *READERS)
@@ -51,14 +52,15 @@ class Problem:
     """Part of a file that cannot be read, with its place and what was expected."""
 
     file: str
-    equation: str  # number of the equation, or words for a letter or definition
+    equation: str  # number of the equation, or words for a letter or definition; empty for the file
     column: int | None
     message: str
     line: int | None = None
 
     def __str__(self) -> str:
-        where = f", column {self.column}" if self.column else ""
-        return f"{self.file}{f':{self.line}' if self.line else ''}: {self.equation}{where}: {self.message}"
+        file = f"{self.file}:{self.line}" if self.line else self.file
+        where = ", ".join(filter(None, (self.equation, f"column {self.column}" if self.column else "")))
+        return ": ".join(filter(None, (file, where, self.message)))
 
     def as_json(self) -> dict[str, Any]:
         """Return the fields printed by ``--format json``."""
@@ -77,6 +79,7 @@ class Sheet(Paper):
     numbers: tuple[str, ...] = field(default=(), repr=False)  # of all its equations, in order
     unread: tuple[Mapping[str, str], ...] = field(default=(), repr=False)  # number, place, LaTeX of those without claim
     request: tuple[Any, ...] = field(default=(), repr=False)  # arguments that make the sheet again in another process
+    lines: Lines | None = field(default=None, repr=False, compare=False)
 
     @staticmethod
     def made(request: tuple[Any, ...]) -> Sheet:
@@ -85,6 +88,9 @@ class Sheet(Paper):
     @cached_property
     def _content(self) -> Content:
         return self.read(None)
+
+    def line(self, number: str) -> int:
+        return self.lines.of_equation(self.numbers.index(number)) if self.lines and number in self.numbers else 0
 
     @property
     def problems(self) -> tuple[Problem, ...]:
@@ -100,6 +106,15 @@ def load(path: str | Path) -> Sheet:
         return sheet(text_of(path, BYTES_MAX), str(path))
     tables, wrong = content(path)
     return sheet(tables, str(path), wrong=wrong)
+
+
+def unreadable(name: str, error: SheetError) -> Problem:
+    """Return the problem of a file that cannot be read at all."""
+    said = rf"(?:{re.escape(name)}(?::(\d+))?: )?(.*?(?:\(at line (\d+), column \d+\))?)"
+    found = re.fullmatch(said, str(error), re.DOTALL)
+    assert found is not None
+    line = found[1] or found[3]
+    return Problem(name, "", None, found[2], int(line) if line else None)
 
 
 def tables_of(text: str, name: str) -> dict[str, Any]:
@@ -139,12 +154,13 @@ def sheet(
     if other := next((line for line in (*sections, *claims) if not line.isdecimal()), None):
         raise SheetError(f"{name}: expected the number of a line, got {other!r}")
     stated = about.get("conditions") == "stated"
+    lines = Lines(tables if isinstance(tables, str) else "")
 
     def is_unread(row: Mapping[str, Any]) -> bool:
         return not stated and not str(row.get("claim", "")).strip()
 
     def read(numbers: Collection[str] | None) -> Content:
-        reader = Reader(name)
+        reader = Reader(name, lines)
         for where, error in wrong:
             reader.problem(where, error)
         scope = reader.scope(letters, definitions, shown)
@@ -161,6 +177,7 @@ def sheet(
         {int(line): numbers for line, numbers in claims.items()}, reasons, about.get("doi", ""),
         stated=stated, read=read, numbers=tuple(str(row.get("number", "")) for row in equations),
         unread=tuple(map(_outline, filter(is_unread, equations))), request=(needed, name),
+        lines=lines,
     )  # fmt: skip
 
 
@@ -188,15 +205,15 @@ def _strings(data: Mapping[str, Any], table: str, name: str) -> dict[str, str]:
 class Reader:
     """Reader of a file's letters, definitions and equations, which collects problems."""
 
-    def __init__(self, file: str) -> None:
-        self.file = file
+    def __init__(self, file: str, lines: Lines | None = None) -> None:
+        self.file, self.lines = file, lines or Lines("")
         self.problems: list[Problem] = []
         self.numbers: set[str] = set()
 
-    def problem(self, place: str, error: ClaimError | str) -> None:
+    def problem(self, place: str, error: ClaimError | str, line: int = 0) -> None:
         known = error if isinstance(error, ClaimError) else ClaimError(error)
-        file, line = known.at or (self.file, None)
-        self.problems.append(Problem(file, place, known.column or None, " ".join(known.message.split()), line))
+        file, at = known.at or (self.file, line or None)
+        self.problems.append(Problem(file, place, known.column or None, " ".join(known.message.split()), at))
 
     def scope(self, letters: Mapping[str, str], definitions: Mapping[str, str], shown: Mapping[str, str]) -> Scope:
         """Return the scope of the file's letters and definitions; `shown` has the LaTeX of names as printed."""
@@ -206,7 +223,7 @@ class Reader:
                 for a, (symbol, of) in declared(name, kind).items():
                     known[a] = Symbol(*map(str, (*symbol.args[:2], shown.get(a, symbol.args[2]), a))), of
             except ClaimError as error:
-                self.problem(f"letter {name}", _placed(kind, ClaimError(error.message)))
+                self.problem(f"letter {name}", _placed(kind, ClaimError(error.message)), self.lines.of("letters", name))
         found: dict[str, Abbreviation] = {}
         for head, text in definitions.items():
             try:
@@ -214,7 +231,7 @@ class Reader:
                 found[abbreviation.name] = abbreviation
                 tree(text)
             except ClaimError as error:
-                self.problem(f"definition {head}", _placed(text, error))
+                self.problem(f"definition {head}", _placed(text, error), self.lines.of("definitions", head))
         return Scope(known, found)
 
     def entry(
@@ -238,7 +255,7 @@ class Reader:
             row = {**row, "number": label}
             return transcript.entry(row) if transcript else _entry(row, scope, self.file)
         except ClaimError as error:
-            self.problem(where, error)
+            self.problem(where, error, self.lines.of_equation(place - 1))
             return None
 
 

@@ -135,6 +135,7 @@ def list_catalogue() -> None:
 @click.option("--data", "beside", is_flag=True, help="Write the facts too, beside the file of -o, with ending .json.")
 @click.option("--check", is_flag=True, help="Write nothing; exit 1 if a file is not what would be written.")
 @click.option("--strict", is_flag=True, help="Exit 1 for an equation that is false or not proved too.")
+@click.option("--no-cache", is_flag=True, help="Decide each claim of a file again, and keep no result.")
 @options.max_n
 def verify(**given: Any) -> None:
     """Decide every equation of the papers, of files, or one claim: true, true where, or false and how to mend it.

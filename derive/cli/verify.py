@@ -7,6 +7,7 @@ import os
 import re
 from collections import Counter
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 
 import click
@@ -14,10 +15,10 @@ import click
 from .. import about
 from ..claims.draft import draft as drafted
 from ..claims.language.names import ClaimError
-from ..claims.report import FORMATS, Report, as_text, data
+from ..claims.report import FORMATS, LINEWISE, Report, as_text, data
 from ..claims.result import Status
 from ..claims.run import check_sheets
-from ..claims.sheet import Problem, Sheet, SheetError, claim_alone, load
+from ..claims.sheet import Problem, Sheet, SheetError, claim_alone, load, unreadable
 from ..output import files, pages
 from ..output.shown import columns
 from . import display, options
@@ -29,7 +30,7 @@ WRONG = (Status.ERRATUM, Status.FALSE, Status.UNDECIDED, Status.UNREFUTED)
 def verify(
     sheets: tuple[str, ...], paper: str | None, claim: str | None, letters: tuple[str, ...], domain: str | None,
     seconds: float, equations: str | None, orders: tuple[int, ...], form: str, output: Path | None,
-    beside: bool, check: bool, strict: bool, max_n: int,
+    beside: bool, check: bool, strict: bool, no_cache: bool, max_n: int,
 ) -> None:  # fmt: skip
     """Run the command; parameters are its options."""
     options.require_cap(orders, max_n)
@@ -45,8 +46,9 @@ def verify(
         options.require_writable(output, output.with_suffix(".json") if output and beside else None)
     stale = []
     if sheets or claim is not None:
-        read = [_loaded(name) for name in sheets] or [_single(claim or "", letters, domain or "")]
-        report = _of_sheets(read, _chosen(read, equations) if equations else None, seconds)
+        read, problems = _loaded(sheets, form) if sheets else ([_single(claim or "", letters, domain or "")], [])
+        report = _of_sheets(read, _chosen(read, equations) if equations else None, seconds, not no_cache)
+        report = replace(report, problems=(*problems, *report.problems))
     else:
         report = _of_papers(paper, equations, orders, output)
     text = as_text(report, columns()) if form == "text" and output is None else FORMATS[form](report)
@@ -57,7 +59,7 @@ def verify(
         stale = pages.stale(output, texts) if check else []
     if output is not None and not check:
         files.write(output.parent, texts, force=True)
-        click.echo(f"{output}: {summary(report)}", err=True)
+        click.echo(f"{output}: {report.summary}", err=True)
     if stale:
         display.differences(stale, options.without_check())
     _complain(report.problems)
@@ -66,11 +68,21 @@ def verify(
         raise click.exceptions.Exit(1)
 
 
-def _loaded(name: str) -> Sheet:
-    try:
-        return load(name)
-    except SheetError as error:
-        raise Unreadable(str(error)) from None
+def _loaded(names: Sequence[str], form: str) -> tuple[list[Sheet], list[Problem]]:
+    """Return the files that can be read, each under a name of its own in reports, and a problem for each other file.
+
+    If none can be read, only a report beside the lines of files shows why; in another form it is an error.
+    """
+    read, problems = dict[str, Sheet](), list[Problem]()
+    for name in dict.fromkeys(names):
+        try:
+            read[name] = load(name)
+        except SheetError as error:
+            problems.append(unreadable(name, error))
+    if not read and form not in LINEWISE:
+        raise Unreadable("\n".join(map(str, problems)))
+    slugs = Counter(sheet.slug for sheet in read.values())
+    return [s if slugs[s.slug] == 1 else replace(s, slug=name, short=name) for name, s in read.items()], problems
 
 
 class Unreadable(click.ClickException):
@@ -118,12 +130,12 @@ def _single(claim: str, letters: Sequence[str], domain: str) -> Sheet:
         raise Unreadable(f"--claim: {error}") from None
 
 
-def _of_sheets(sheets: Sequence[Sheet], equations: list[str] | None, seconds: float) -> Report:
+def _of_sheets(sheets: Sequence[Sheet], equations: list[str] | None, seconds: float, keep: bool) -> Report:
     total = sum(equations is None or entry.number in equations for sheet in sheets for entry in sheet.entries())
     unread = [row for sheet in sheets for row in sheet.unread if equations is None or str(row["number"]) in equations]
     with display.progress(total) as step:
         step("equations")
-        results = check_sheets(sheets, equations, seconds, step)
+        results = check_sheets(sheets, equations, seconds, step, keep)
     problems = [problem for sheet in sheets for problem in sheet.problems]
     return Report.of(sheets, results, (), "", problems, unread)
 
@@ -171,9 +183,3 @@ def _root(output: Path | None) -> str:
     """Return the relative path from the report to the sources; empty on stdout or outside a checkout."""
     root = about.checkout()
     return Path(os.path.relpath(root, output.resolve().parent)).as_posix() if root and output else ""
-
-
-def summary(report: Report) -> str:
-    counts = Counter(str(result.status) for result in report.results)
-    rest = {"unread": len(report.unread)} if report.of_files else {"proofs": len(report.proofs)}
-    return ", ".join(f"{count} {what}" for what, count in (*counts.items(), *rest.items()))

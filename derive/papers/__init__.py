@@ -97,7 +97,7 @@ def verify(
         raise ValueError(f"no equation {', '.join(missing)}")
     if file is not None:
         with bar(len(chosen)) as step:
-            return check_sheets([file], wanted, seconds, step)
+            return check_sheets([file], wanted, seconds, step, keep=True)
     results: Listing[Result] = Listing()
     with bar(len(chosen)) if progress is None else nullcontext(no_op) as step:
         for done, (source, entry) in enumerate(chosen, 1):

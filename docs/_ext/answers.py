@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable, Iterable, Iterator
+from dataclasses import replace
 from typing import Any
 
 from derive.claims.language.claims import statement
@@ -55,8 +56,8 @@ def read(form: Form) -> tuple[Sheet, Scope]:
     lines = [line for name, table in tables.items() for line in (f"[{name}]", *_toml(table))]
     asked = sheet("\n".join([*lines, "[[equation]]", "number = 1", *_toml(claim)]), "form")
     if asked.problems:
-        found = (str(problem).removeprefix("form: ").replace("equation 1", "claim", 1) for problem in asked.problems)
-        raise ValueError("\n".join(found))
+        found = (str(replace(problem, file="", line=None)) for problem in asked.problems)
+        raise ValueError("\n".join(text.replace("equation 1", "claim", 1) for text in found))
     known = {a: symbol for name, kind in declared.items() for a, symbol in letters(name, kind).items()}
     return asked, Scope(known, asked.entries()[0].abbreviations)
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 import re
 import subprocess
 import sys
@@ -58,8 +59,10 @@ def test_answers_need_only_what_is_packed(tmp_path: Path) -> None:
         (tmp_path / name).write_bytes(content)
     questions = [(name, json.dumps(form)) for name, form in ASKED]
     command = [sys.executable, "-c", ALONE, *try_it.LIBRARIES]
-    done = subprocess.run(command, cwd=tmp_path, input=json.dumps(questions), capture_output=True, text=True)
+    env = {**os.environ, "DUALCAY_CACHE": str(tmp_path / "cache")}
+    done = subprocess.run(command, cwd=tmp_path, input=json.dumps(questions), capture_output=True, text=True, env=env)
     assert done.stderr == ""
+    assert not (tmp_path / "cache").exists()
     checked, *found = done.stdout.splitlines()
     assert checked == "<Result holds>"
     for line, question in zip(found, questions, strict=True):

@@ -1,10 +1,11 @@
-"""Errata report in five formats: terminal tables, JSON, Markdown, HTML and LaTeX, with layouts in templates/report."""
+"""Errata report: terminal tables, JSON, Markdown, HTML and LaTeX by templates/report, and annotations of lines."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from functools import partial
 
+from .annotated import as_github, as_sarif
 from .content import Report
 from .forms import as_json, as_text, data, page
 
@@ -14,6 +15,11 @@ FORMATS: dict[str, Callable[[Report], str]] = {
     "markdown": partial(page, "md"),
     "html": partial(page, "html"),
     "latex": partial(page, "tex"),
+    "github": as_github,
+    "sarif": as_sarif,
 }
 
-__all__ = ["FORMATS", "Report", "as_text", "data"]
+LINEWISE = ("github", "sarif")
+"""Formats that name the line of each remark."""
+
+__all__ = ["FORMATS", "LINEWISE", "Report", "as_text", "data"]

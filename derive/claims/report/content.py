@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from shlex import quote
@@ -87,13 +88,19 @@ class Report:
         return cls(found, tuple(proofs), root, tuple(problems), tuple(unread))
 
     @property
+    def counts(self) -> dict[str, int]:
+        """Numbers of equations that are decided and not read, then those of each status and of proofs."""
+        found = Counter(result.status for result in self.results)
+        decided = len(self.results) - found[Status.UNDECIDED] - found[Status.UNREFUTED]
+        counts = {"decided": decided, "unread": len(self.unread) + len(self.problems)}
+        rest = {str(status): found[status] for status in MEANING} | {"proofs": len(self.proofs)}
+        return counts | {what: n for what, n in rest.items() if n}
+
+    @property
     def summary(self) -> str:
-        """Counts in words: what was decided, what was not, and what has no claim."""
-        open_ = (Status.UNREFUTED, Status.UNDECIDED)
-        counts = {"decided": sum(result.status not in open_ for result in self.results)}
-        counts |= {str(status): sum(result.status is status for result in self.results) for status in open_}
-        counts |= {"unread": len(self.unread), "not understood": len(self.problems)}
-        return ", ".join(f"{count} {what}" for what, count in counts.items() if count or what == "decided")
+        """Counts in one line, such as "41 decided, 3 unread: 2 false, 39 holds"."""
+        parts = [f"{count} {what}" for what, count in self.counts.items()]
+        return ": ".join(filter(None, (", ".join(parts[:2]), ", ".join(parts[2:]))))
 
     @property
     def statuses(self) -> dict[Status, str]:

@@ -246,5 +246,5 @@ def test_false_claim_hidden_in_forty_equations_is_found_with_its_line(tmp_path: 
     assert [row["at"] for row in data["unread"]] == ["rest.tex:1", "rest.tex:2"]
     assert (done.returncode, len(data["equations"])) == (0, 40)
     text = dualcay("verify", file.name, "--eq", "eq:23,rest.tex line 2", cwd=tmp_path).stdout
-    assert text.endswith("1 decided, 1 unread\n")
+    assert text.endswith("1 decided, 1 unread: 1 false\n")
     assert [str(result.status) for result in derive.verify(file, "eq:0")] == ["holds"]

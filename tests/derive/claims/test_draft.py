@@ -10,7 +10,7 @@ import pytest
 
 from derive.claims import proposal
 from derive.claims.draft import draft
-from derive.claims.report import FORMATS, Report
+from derive.claims.report import FORMATS, LINEWISE, Report
 from derive.claims.run import check_sheets
 from derive.claims.sheet import load
 from tests.support.command import dualcay
@@ -104,10 +104,13 @@ def test_every_part_of_a_draft_is_text(tmp_path: Path) -> None:
     assert (first["latex"], second["latex"]) == ("\x07 ''' \x1b \x7f", "\x1b \x7f")
 
 
-def test_caution_stands_beside_the_verdict_until_the_mark_is_deleted(tmp_path: Path) -> None:
-    file, _ = drafted(tmp_path, r"v \times v = 0", r"\hat v = v")
+@pytest.mark.parametrize(("side", "silent"), [("0", ("latex", *LINEWISE)), ("v", ("latex",))])
+def test_caution_stands_beside_the_verdict_until_the_mark_is_deleted(
+    tmp_path: Path, side: str, silent: tuple[str, ...]
+) -> None:
+    file, _ = drafted(tmp_path, rf"v \times v = {side}", r"\hat v = v")
     results = check_sheets([load(file)])
-    for mark, form in ((mark, form) for mark in (True, False) for form in FORMATS if form != "latex"):
+    for mark, form in ((mark, form) for mark in (True, False) for form in FORMATS if form not in silent):
         if not mark:
             file.write_text(file.read_text().replace("proposed = true\n", ""))
             results = check_sheets([load(file)])
@@ -115,8 +118,8 @@ def test_caution_stands_beside_the_verdict_until_the_mark_is_deleted(tmp_path: P
         shown = "read this before you believe it" in text
         said = json.loads(text)["equations"][0]["proposed"] if form == "json" else shown
         assert said is mark, form
-        assert "line 3" in text
-        assert "1 decided, 1 unread" in text or form == "json"
+        assert "line 3" in text or form in LINEWISE
+        assert "1 decided, 1 unread" in text or form in ("json", "sarif")
     assert ("read this" in str(results[0].cells())) is False
 
 
