@@ -42,7 +42,8 @@ os.environ["DUALCAY_CACHE"] = ""
 
 
 SELECTED = {
-    "browser", "compiler", "coq", "fortran", "gpu", "mcp", "node", "octave", "rust", "smoke", "thorough", "torch", "vex",
+    "browser", "compiler", "coq", "fortran", "gpu", "mcp", "node", "octave", "rust", "smoke", "thorough", "torch",
+    "vex",
 }  # fmt: skip
 """Markers of this project that select tests."""
 

@@ -6,7 +6,7 @@ symbols: arrays lie apart; a batch has 0 to 3 rows, and more until each block of
 has the values -9 to 9, in a batch -1 to 1. The text of a batch is read for one row. Functions of math.h are any
 functions. Machine code of x86-64, with AVX too, and of AArch64 is translated by pyvex, whose translation is trusted.
 
-The exit code is 1 if a function differs, and 3 if a compiler or the library cle is missing.
+The exit code is 1 if a function differs, 2 if a file is no machine code, 3 if a compiler or the library cle is missing.
 """
 
 from __future__ import annotations
@@ -31,6 +31,8 @@ from .trees import TYPES, Trees
 
 SECONDS = 600  # of processor time for a compiler
 FLAGS = "-std=c99 -O2 -ffp-contract=off"
+HEAD = ("compiler", "chart", "type", "functions", EQUAL, DIFFERENT, DECLINED)
+MARK = "<!-- bytes -->"
 
 
 def compiled(folder: Path, source: Source, real: str, command: Sequence[str], build: Path) -> Path:
@@ -53,43 +55,66 @@ def _run(command: Sequence[str]) -> str:
     return done.stdout
 
 
-def table(found: dict[tuple[str, ...], list[Verdict]]) -> str:
-    """Return the counts for each chart and the functions that are not proved, as lines of text."""
-    lines = [f"{'chart':14} {'type':7} {EQUAL:>6} {DIFFERENT:>10} {DECLINED:>9}"]
-    for (chart, real), verdicts in found.items():
-        counts = Counter(each.verdict for each in verdicts)
-        lines.append(f"{chart:14} {real:7} {counts[EQUAL]:6} {counts[DIFFERENT]:10} {counts[DECLINED]:9}")
-    for verdicts in found.values():
-        lines += [f"{each.name}: {each.verdict}: {each.reason}" for each in verdicts if each.reason]
-    return "\n".join(lines)
+def row(*cells: object) -> str:
+    """Return the cells as a row of a table in Markdown."""
+    return f"| {' | '.join(map(str, cells))} |"
+
+
+def counts(verdicts: Sequence[Verdict]) -> list[int]:
+    found = Counter(each.verdict for each in verdicts)
+    return [len(verdicts), found[EQUAL], found[DIFFERENT], found[DECLINED]]
+
+
+def put(page: Path, lines: Sequence[str]) -> None:
+    """Put lines between the marks of a page."""
+    before, start, rest = page.read_text(encoding="utf-8").partition(f"{MARK}\n")
+    _, end, after = rest.partition(f"\n{MARK}")
+    if not start or not end:
+        raise MachineError(f"{page}: expected two lines {MARK}", 2)
+    files.write(page.parent, {page.name: "\n".join([before + start, *lines, end + after])}, force=True)
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Prove the functions of all charts in a folder, and print a table of counts."""
     parser = argparse.ArgumentParser(prog="python -m proofs.bytes", description=(__doc__ or "").partition("\n\n")[0])
     parser.add_argument("folder", type=Path, help="folder of headers, of dualcay generate --target c")
-    parser.add_argument("--cc", default=os.environ.get("CC", "gcc"), help="compiler, gcc or clang")
+    parser.add_argument("--cc", action="append", help="compilers such as gcc and clang, by default $CC or gcc")
     parser.add_argument("--flags", default=FLAGS, help=f"flags of the compiler, by default {FLAGS!r}")
     parser.add_argument("--real", choices=TYPES, action="append", help="real types, by default double and float")
     parser.add_argument("--chart", action="append", help="charts, by default all in the folder")
     parser.add_argument("--function", default="", help="functions whose names contain this text")
     parser.add_argument("--disassembly", type=Path, help="object, library or program to prove instead")
+    parser.add_argument("-o", "--output", type=Path, help=f"page that takes the table between two lines {MARK}")
     chosen = parser.parse_args(arguments)
-    sys.setrecursionlimit(100_000)
-    found: dict[tuple[str, ...], list[Verdict]] = {}
+    sys.setrecursionlimit(100_000)  # trees are deep
+    lines, reasons, total = [row(*HEAD), row(*["---"] * len(HEAD))], list[str](), list[Verdict]()
+    print(*lines, sep="\n")
     try:
-        for chart in chosen.chart or charts(chosen.folder):
-            for real in chosen.real or TYPES:
-                source = Source(chosen.folder, chart, Trees(real))
-                with scratch() as build:
-                    command = [*shlex.split(chosen.cc), *shlex.split(chosen.flags)]
-                    file = chosen.disassembly or compiled(chosen.folder, source, real, command, build)
-                    found[chart, real] = list(Proof(source, Program(file)).verdicts(chosen.function))
+        for compiler in chosen.cc or [os.environ.get("CC", "gcc")]:
+            for chart in chosen.chart or charts(chosen.folder):
+                for real in chosen.real or TYPES:
+                    found = _proved(chosen, compiler, chart, real)
+                    total += found
+                    lines.append(row(compiler, chart, real, *counts(found)))
+                    print(lines[-1], flush=True)
+                    where = f"{compiler}, {real}"
+                    reasons += [f"{where}, {each.name}: {each.verdict}: {each.reason}" for each in found if each.reason]
+        lines.append(row("all", "", "", *counts(total)))
+        print(lines[-1], *reasons, sep="\n")
+        if chosen.output:
+            put(chosen.output, lines)
     except MachineError as error:
         print(f"error: {error}", file=sys.stderr)
         return error.code
-    print(table(found))
-    return any(each.verdict == DIFFERENT for verdicts in found.values() for each in verdicts)
+    return any(each.verdict == DIFFERENT for each in total)
+
+
+def _proved(chosen: argparse.Namespace, compiler: str, chart: str, real: str) -> list[Verdict]:
+    source = Source(chosen.folder, chart, Trees(real))
+    with scratch() as build:
+        command = [*shlex.split(compiler), *shlex.split(chosen.flags)]
+        file = chosen.disassembly or compiled(chosen.folder, source, real, command, build)
+        return list(Proof(source, Program(file)).verdicts(chosen.function))
 
 
 if __name__ == "__main__":

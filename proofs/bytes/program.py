@@ -33,7 +33,7 @@ class Program:
         try:
             self.loader = cle.Loader(str(path), auto_load_libs=False)
         except (cle.CLEError, OSError) as error:
-            raise MachineError(f"{path}: no file of machine code: {error}") from error
+            raise MachineError(f"{path}: no file of machine code: {error}", 2) from error
         self.file: Any = self.loader.main_object
         self.memory: Any = self.loader.memory
         self.lift = pyvex.lift

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from proofs.bytes.__main__ import FLAGS, compiled, main
+from proofs.bytes.__main__ import FLAGS, MARK, compiled, main
 from proofs.bytes.equality import Equality
 from proofs.bytes.functions import Source
 from proofs.bytes.numbers import Number
@@ -91,7 +91,8 @@ def test_altered_machine_code_is_refused(
 
 
 def test_constant_one_ulp_off_is_refused(source: Source, assembly: str, tmp_path: Path) -> None:
-    (tmp_path / "altered.s").write_text(assembly.replace("\t.long\t1071644672", "\t.long\t1071644671"), encoding="utf-8")
+    text = assembly.replace("\t.long\t1071644672", "\t.long\t1071644671")
+    (tmp_path / "altered.s").write_text(text, encoding="utf-8")
     subprocess.run(["gcc", "-c", "-o", tmp_path / "altered.o", tmp_path / "altered.s"], check=True)
     assert verdict(source, tmp_path / "altered.o", f"{CHART}rate").verdict == DIFFERENT
 
@@ -110,11 +111,14 @@ def test_command_reads_an_object(
     headers: Path, built: Path, assembly: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     options = [str(headers), "--real", "double", "--function", f"{CHART}rate", "--disassembly"]
-    assert main([*options, str(built)]) == 0
-    assert re.search(r"cayley2 +double +6 +0 +0", capsys.readouterr().out)
+    page = tmp_path / "page.md"
+    page.write_text(f"before\n{MARK}\nold\n{MARK}\nafter\n", encoding="utf-8")
+    assert main([*options, str(built), "-o", str(page)]) == 0
+    assert "| gcc | cayley2 | double | 6 | 6 | 0 | 0 |" in capsys.readouterr().out
+    assert re.fullmatch(rf"before\n{MARK}\n\n(\|.*\|\n)+\n{MARK}\nafter\n", page.read_text(encoding="utf-8"))
     assert main([*options, str(altered(assembly, r"\baddsd\b", "subsd", tmp_path))]) == 1
     assert f"{CHART}rate: different" in capsys.readouterr().out
-    assert main([*options, str(headers / "cayley2.h")]) == 3
+    assert main([*options, str(headers / "cayley2.h")]) == 2
     assert main([str(headers), "--cc", "no-such-compiler"]) == 3
 
 
