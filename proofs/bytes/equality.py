@@ -12,7 +12,7 @@ import numpy as np
 from .trees import CHOICES, LEAVES, RELATIONS, Declined, Tree, Trees, same, unsigned
 
 SCALES = np.array([1.0, 1.0, 0.1, 3.0, 1e-4, 10.0, 0.0, 1e-9])  # of samples
-COMPARISONS = 60_000  # largest number of pairs of trees that are compared for a function
+COMPARISONS = 30_000  # largest number of pairs of trees that are compared for a function
 Facts = frozenset[tuple[Tree, int]]
 """Pairs of numbers whose relation is known, by its place."""
 

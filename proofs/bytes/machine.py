@@ -13,7 +13,7 @@ from typing import Any
 
 from .conditions import CONDITIONS
 from .memory import Memory
-from .program import EXIT, Program
+from .program import EXIT, IDLE, Program
 from .trees import PATTERNS, Declined, Different, Tree, Trees, same
 from .words import VECTOR, Words, known
 
@@ -118,11 +118,11 @@ class Machine:
     def _run(self, state: State, address: int, stop: int) -> tuple[State, Any]:
         """Execute blocks up to one, or until the function returns; return the address where it goes on."""
         while address != stop:
-            self.executed.add(address)
             self.steps += 1
             if self.steps > BLOCKS:
                 raise Declined(f"more than {BLOCKS} blocks")
             block = self.program.block(address)
+            self.executed |= self.program.instructions[address]
             sides, target = self._block(state, block)
             if sides is not None:
                 join = self.program.join(address)
@@ -241,7 +241,7 @@ class Machine:
     def _statement(self, each: Any, types: Any) -> Callable[[State, list[Any]], Any] | None:
         """Return a statement as a function; that of a jump returns its address, or the other side."""
         tag = each.tag
-        if tag in ("Ist_IMark", "Ist_AbiHint", "Ist_NoOp"):
+        if tag in IDLE:
             return None
         if tag == "Ist_Exit":
             return self._exit(each, self._expression(each.guard, types))

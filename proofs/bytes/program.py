@@ -13,6 +13,7 @@ from typing import Any
 from ..statements import MachineError
 from .trees import Declined, Different
 
+IDLE = ("Ist_IMark", "Ist_AbiHint", "Ist_NoOp")  # statements without effect
 EXIT = -1  # where a function returns, in its graph
 FUSED = ((0xBF20FC00, 0x0E20CC00), (0xBF80B400, 0x0F801000), (0xFF000000, 0x1F000000))
 """Masks and values of AArch64's fused operations, which the translation to intermediate code rounds twice."""
@@ -38,6 +39,7 @@ class Program:
         self.memory: Any = self.loader.memory
         self.lift = pyvex.lift
         self.blocks: dict[int, Any] = {}
+        self.instructions: dict[int, frozenset[int]] = {}
         self.joins: dict[int, int] = {}
 
     @property
@@ -79,7 +81,7 @@ class Program:
                 raise Declined(f"no instruction that is known: {self.memory.load(address, 8).hex()}")
             if self.architecture == "AARCH64":
                 self._refuse_fused(address, made.size)
-            self.blocks[address] = made
+            self.blocks[address], self.instructions[address] = made, frozenset(made.instruction_addresses)
         return self.blocks[address]
 
     def _refuse_fused(self, address: int, size: int) -> None:
@@ -106,7 +108,7 @@ class Program:
         return [each for each, kind in found.items() if kind in ("Ijk_Boring", "Ijk_Call")]
 
     def reached(self, start: int) -> set[int]:
-        """Return the blocks that a function may execute, those of functions that it calls too."""
+        """Return the instructions that a function may execute, those of functions that it calls too."""
         found, waiting = set[int](), [start]
         while waiting:
             address = waiting.pop()
@@ -114,7 +116,12 @@ class Program:
                 continue
             found.add(address)
             waiting += [*self.follow(address), *self.targets(address)]
-        return found
+        return set[int]().union(*(self.instructions[each] for each in found if not self._jumps_alone(each)))
+
+    def _jumps_alone(self, address: int) -> bool:
+        """Return whether a block is a jump and nothing else; a compiler may leave one that no way takes."""
+        block = self.block(address)
+        return block.instructions == 1 and all(each.tag in IDLE for each in block.statements)
 
     def join(self, address: int) -> int:
         """Return the first block that every way from a block passes: its immediate postdominator."""

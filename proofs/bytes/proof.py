@@ -58,7 +58,7 @@ class Proof:
         return Verdict(name, EQUAL)
 
     def _prove(self, name: str, function: Signature, rows: bool) -> None:
-        """Raise `Different` or `Declined` unless all results are equal and each block was executed."""
+        """Raise `Different` or `Declined` unless all results are equal and each instruction was executed."""
         machine, trees = self.machine, self.source.trees
         machine.executed.clear()
         branches: Iterable[int] = (ROW_BRANCHES if rows else BRANCHES) if function.branched else (0,)
@@ -72,7 +72,7 @@ class Proof:
                     where = f" of row {row} of {count}" * rows + f", branch {branch}" * (branch != 0)
                     self._compare(function, text, [trees.as_row(each, row, done) for each in made], where)
         if left := reached - machine.executed:
-            raise Declined(f"{len(left)} blocks are never executed, such as the one at {min(left):#x}")
+            raise Declined(f"{len(left)} instructions are never executed, such as the one at {min(left):#x}")
 
     def _execute(self, name: str, function: Signature, rows: bool, count: int, branch: int) -> list[list[Tree]]:
         """Return the results of each row."""

@@ -3,7 +3,8 @@
 Two programs whose trees are one object compute the same bits. Trees are brought to a normal form by identities that
 hold for every float, infinities, signed zeros and NaN included; only sign and payload of a NaN are left open:
 a + b = b + a, a b = b a, a - b = a + (-b), (-a) b = -(a b), (-a) / b = -(a / b), 2 a = a + a, 1 a = a, a + (-0) = a,
-(-a) + (-a) = -(a + a), a / 2^k = a 2^-k, |-a| = |a|, |a| = a for sums of squares, and values of constants.
+(-a) + (-a) = -(a + a), c - (a + b) = c + ((-a) + (-b)) for a constant c that is not 0, a / 2^k = a 2^-k, |-a| = |a|,
+|a| = a for sums of squares, and values of constants.
 """
 
 from __future__ import annotations
@@ -131,6 +132,9 @@ class Trees:
         for one, other in ((a, b), (b, a)):
             if one.kind == "neg" and one.parts[0].kind == "const" and not one.parts[0].parts[0]:
                 return other
+            if self.value(one) and other.kind == "neg" and other.parts[0].kind == "add":  # the sign of a zero is lost
+                x, y = map(self.negated, other.parts[0].parts)
+                return self._folded(np.add, a, b) or self._ordered("add", one, self.add(x, y))
         if a is b and a.kind == "neg":
             return self.negated(self.add(a.parts[0], a.parts[0]))
         return self._folded(np.add, a, b) or self._ordered("add", a, b)
