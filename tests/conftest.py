@@ -27,6 +27,7 @@ MISSING = {
         ("mcp", importlib.util.find_spec("mcp"), "the library mcp is not installed (extra 'mcp')"),
         ("node", node.find(), node.MISSING),
         ("coq", shutil.which("coqc"), "Coq is not installed (apt-get install coq)"),
+        ("frama", shutil.which("frama-c"), "Frama-C is not installed (apt-get install frama-c-base)"),
         ("octave", shutil.which("octave-cli"), "GNU Octave is not installed (apt-get install octave)"),
     ]
     if not found
@@ -41,7 +42,8 @@ os.environ["DUALCAY_CACHE"] = ""
 
 
 SELECTED = {
-    "browser", "compiler", "coq", "fortran", "gpu", "mcp", "node", "octave", "rust", "smoke", "thorough", "torch",
+    "browser", "compiler", "coq", "fortran", "frama", "gpu", "mcp", "node", "octave", "rust", "smoke", "thorough",
+    "torch",
 }  # fmt: skip
 """Markers of this project that select tests."""
 
