@@ -28,6 +28,7 @@ MISSING = {
         ("node", node.find(), node.MISSING),
         ("coq", shutil.which("coqc"), "Coq is not installed (apt-get install coq)"),
         ("vex", importlib.util.find_spec("cle"), "cle is not installed (extra 'bytes')"),
+        ("frama", shutil.which("frama-c"), "Frama-C is not installed (apt-get install frama-c-base)"),
         ("octave", shutil.which("octave-cli"), "GNU Octave is not installed (apt-get install octave)"),
     ]
     if not found
@@ -42,8 +43,8 @@ os.environ["DUALCAY_CACHE"] = ""
 
 
 SELECTED = {
-    "browser", "compiler", "coq", "fortran", "gpu", "mcp", "node", "octave", "rust", "smoke", "thorough", "torch",
-    "vex",
+    "browser", "compiler", "coq", "fortran", "frama", "gpu", "mcp", "node", "octave", "rust", "smoke", "thorough",
+    "torch", "vex",
 }  # fmt: skip
 """Markers of this project that select tests."""
 
