@@ -23,7 +23,7 @@ PYODIDE := 314.0.7
 WASM    := --platform pyemscripten_2026_0_wasm32 --python-version 3.14 --implementation cp --abi cp314
 ENGINE  := build/docs/assets/engine
 ENGINE_READY := build/docs/.pyodide-$(PYODIDE)
-# Functions whose machine code is compared with its text; all take hours: make machine-proofs BYTES="--chart cayley2"
+# Functions whose machine code is compared with its text: a sample; all of them take hours: make machine-proofs BYTES=
 BYTES  ?= --chart cayley2 --real double --function rate
 # Certified bounds of rounding errors.
 BOUNDS := benchmarks/certified.json
