@@ -7,6 +7,7 @@ import re
 from collections.abc import Iterator, Mapping
 from pathlib import Path
 
+from ..output.shown import one_line, seen
 from .documents import content
 from .documents.comments import OF_AN_EQUATION
 from .language.names import Scope, latex_of
@@ -33,7 +34,7 @@ def draft(path: str | Path, letters: Mapping[str, str]) -> tuple[str, list[Probl
     scope = Reader(str(path)).scope(kinds, definitions, only)
     usual = {name: str(symbol.args[2]) for name, (symbol, _) in reader.scope(kinds, {}, {}).letters.items()}
     own = {name: shown for name, shown in only.items() if usual.get(name, latex_of(name)) != shown}
-    parts = [HEADING.format(name=_comment(Path(path).name)), _table("paper", {"slug": Path(path).stem})]
+    parts = [HEADING.format(name=one_line(Path(path).name)), _table("paper", {"slug": Path(path).stem})]
     parts += [_table(*part) for part in (("letters", kinds), ("definitions", definitions), ("latex", own)) if part[1]]
     for row in tables["equation"]:
         parts.append("\n".join(("[[equation]]", *_rows(row, scope, known), "")))
@@ -48,7 +49,7 @@ def _rows(row: Mapping[str, str], scope: Scope, known: Spellings) -> Iterator[st
             yield f"claim = {quoted(proposed(row['latex'], scope, known))}"
             yield "proposed = true"
         except NotReadError as error:
-            yield f'claim = ""  # not understood: {_comment(str(error))}'
+            yield f'claim = ""  # not understood: {one_line(str(error))}'
     for key in OF_AN_EQUATION:
         if key in row:
             yield f"{key} = {quoted(row[key])}"
@@ -63,12 +64,9 @@ def _key(name: str) -> str:
 
 
 def quoted(text: str) -> str:
-    """Return a text as TOML: as it is between single quotes if these can hold it."""
-    flat = re.sub(r"\s*\n\s*", " ", text)
-    if flat.isprintable() and "'" not in flat:
+    """Return a text as TOML: as it is between single quotes if these can hold it and all of it is seen."""
+    flat = re.sub(r"\s*\n\s*", " ", text).encode(errors="replace").decode()
+    if flat == seen(flat) and "'" not in flat:
         return f"'{flat}'"
-    return json.dumps(flat, ensure_ascii=False).replace("\x7f", r"\u007f")
-
-
-def _comment(text: str) -> str:
-    return "".join(sign if sign.isprintable() else "?" for sign in text)
+    signs = json.dumps(flat, ensure_ascii=False)
+    return "".join(sign if sign == seen(sign) else rf"\u{ord(sign):04x}" for sign in signs)

@@ -130,10 +130,9 @@ def proposed(formula: str, scope: Scope, known: Spellings) -> str:
     given = signs(formula)
     try:
         text = _Reader(given, scope, known).relation()
+        claim = statement(text, scope)
     except RecursionError:
         raise NotReadError("too many brackets in each other") from None
-    try:
-        claim = statement(text, scope)
     except ClaimError as error:
         raise NotReadError(f"read as {text}, which is no claim: {error.message}") from None
     a, b = ([sign for sign in side if sign not in "{}()[]"] for side in (given, signs(latex(claim))))

@@ -15,6 +15,7 @@ from itertools import filterfalse
 from pathlib import Path
 from typing import Any
 
+from ..output.shown import one_line
 from .documents import READERS, content
 from .documents.comments import Written
 from .documents.files import SheetError as SheetError
@@ -35,6 +36,8 @@ FILES = (".toml", *READERS)
 BYTES_MAX = 2_000_000
 """Largest size of a file."""
 EQUATIONS_MAX = 2000
+MESSAGE_MAX = 5000
+"""Largest number of characters in a message, which may quote a claim."""
 TABLES = ("paper", "letters", "definitions", "latex", "claims", "reasons", "equation", "field")
 PAPER_KEYS = ("slug", "short", "title", "source", "doi", "conditions", "lost", "sections")
 KEYS = ("number", "title", "at", "latex", "claim", "domain", "corrected", "remark", "proposed")
@@ -60,7 +63,7 @@ class Problem:
     def __str__(self) -> str:
         file = f"{self.file}:{self.line}" if self.line else self.file
         where = ", ".join(filter(None, (self.equation, f"column {self.column}" if self.column else "")))
-        return ": ".join(filter(None, (file, where, self.message)))
+        return one_line(": ".join(filter(None, (file, where, self.message))))
 
     def as_json(self) -> dict[str, Any]:
         """Return the fields printed by ``--format json``."""
@@ -213,7 +216,8 @@ class Reader:
     def problem(self, place: str, error: ClaimError | str, line: int = 0) -> None:
         known = error if isinstance(error, ClaimError) else ClaimError(error)
         file, at = known.at or (self.file, line or None)
-        self.problems.append(Problem(file, place, known.column or None, " ".join(known.message.split()), at))
+        message = " ".join(known.message[:MESSAGE_MAX].split())
+        self.problems.append(Problem(file, place, known.column or None, message, at))
 
     def scope(self, letters: Mapping[str, str], definitions: Mapping[str, str], shown: Mapping[str, str]) -> Scope:
         """Return the scope of the file's letters and definitions; `shown` has the LaTeX of names as printed."""
@@ -254,8 +258,10 @@ class Reader:
                 raise ClaimError("an equation has a claim, such as claim = \"a == b\"; or it is undecided")
             row = {**row, "number": label}
             return transcript.entry(row) if transcript else _entry(row, scope, self.file)
-        except ClaimError as error:
-            self.problem(where, error, self.lines.of_equation(place - 1))
+        except (ClaimError, RecursionError) as error:
+            deep = ClaimError("its parts stand too deep in each other")
+            said = error if isinstance(error, ClaimError) else _placed(row.get("claim", ""), deep)
+            self.problem(where, said, self.lines.of_equation(place - 1))
             return None
 
 

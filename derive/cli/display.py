@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from ..output.shown import Step, bar, watched
+from ..output.shown import Step, bar, one_line, watched
 
 if TYPE_CHECKING:
     from ..output import Difference
@@ -32,7 +32,7 @@ def _lines(total: int) -> Step:
         nonlocal pause, due, done
         done, now = done + 1, time.monotonic()
         if now >= due:
-            click.echo(f"{now - begun:.0f} s: {done}/{total}  {line}", err=True)
+            click.echo(f"{now - begun:.0f} s: {done}/{total}  {one_line(line)}", err=True)
             pause = min(2 * pause, PAUSE_MAX)
             due = now + pause
 

@@ -20,7 +20,7 @@ from ..claims.result import Status
 from ..claims.run import check_sheets
 from ..claims.sheet import Problem, Sheet, SheetError, claim_alone, load, unreadable
 from ..output import files, pages
-from ..output.shown import columns
+from ..output.shown import columns, seen
 from . import display, options
 
 WRONG = (Status.ERRATUM, Status.FALSE, Status.UNDECIDED, Status.UNREFUTED)
@@ -51,11 +51,11 @@ def verify(
         report = replace(report, problems=(*problems, *report.problems))
     else:
         report = _of_papers(paper, equations, orders, output)
-    text = as_text(report, columns()) if form == "text" and output is None else FORMATS[form](report)
+    text = seen(as_text(report, columns()) if form == "text" and output is None else FORMATS[form](report))
     if output is None:
         click.echo(text, nl=False)
     else:
-        texts = pages.beside(output, text, data(report)) if beside else {output.name: text}
+        texts = pages.beside(output, text, seen(data(report))) if beside else {output.name: text}
         stale = pages.stale(output, texts) if check else []
     if output is not None and not check:
         files.write(output.parent, texts, force=True)
@@ -99,7 +99,7 @@ def draft(document: str, output: Path | None, letters: tuple[str, ...], force: b
     try:
         text, problems = drafted(document, _pairs(letters))
     except SheetError as error:
-        raise Unreadable(str(error)) from None
+        raise Unreadable(str(unreadable(document, error))) from None
     if output is None:
         click.echo(text, nl=False)
     else:

@@ -47,6 +47,22 @@ def _in_html(text: str) -> str:
     return html.escape(rf"\({text[1:-1]}\)" if text.startswith("$") and text.endswith("$") else text)
 
 
+UNSEEN = dict.fromkeys((
+    *range(9), *range(11, 32), *range(127, 160), *range(0x202A, 0x202F), *range(0x2066, 0x206A), *range(0xD800, 0xE000),
+), "\ufffd")  # fmt: skip
+"""Signs that a terminal obeys, that turn the order of text, or that UTF-8 lacks, with the sign shown for each."""
+
+
+def seen(text: str) -> str:
+    """Return a text with another sign for each that may do more than be seen."""
+    return text.translate(UNSEEN)
+
+
+def one_line(text: str) -> str:
+    """Return a text in one line, as `seen`."""
+    return seen(" ".join(text.split()))
+
+
 BAR_AFTER = 2.0
 """Seconds before a bar appears."""
 
@@ -80,7 +96,7 @@ def bar(total: int | None = None) -> Iterator[Step]:
     if not console.is_interactive:
         yield no_op
         return
-    columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn())
+    columns = (TextColumn("{task.description}", markup=False), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn())
     shown = Progress(*columns, console=console, transient=True, redirect_stdout=False)
     task = shown.add_task("", total=total, completed=-1)
     later = threading.Timer(BAR_AFTER, shown.start)

@@ -34,8 +34,9 @@ def content(path: str | Path) -> tuple[dict[str, Any], list[tuple[str, ClaimErro
         raise SheetError(f"{path}: expected a document, {', '.join(READERS)}")
     READERS[suffix](files, collected)
     if not collected.equations:
-        first = f"; {collected.problems[0][1].message}" if collected.problems else ""
-        raise SheetError(f"{path}: no displayed equation{first}")
+        found = [(":".join(map(str, error.at)), f"; {error.message}") for _, error in collected.problems if error.at]
+        place, first = found[0] if found else (path, "")
+        raise SheetError(f"{place}: no displayed equation{first}")
     tables = {
         "paper": {"slug": Path(path).with_suffix("").as_posix(), "short": Path(path).stem},
         "letters": collected.letters, "definitions": collected.definitions, "equation": collected.equations,

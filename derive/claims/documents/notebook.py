@@ -14,7 +14,8 @@ from .markup import Markdown
 class Placed(str):
     """Text of a JSON file with its line."""
 
-    line = 0
+    __slots__ = ("line",)
+    line: int
 
 
 def parsed(text: str) -> Any:
@@ -45,14 +46,13 @@ def _cells(text: str, file: str) -> Iterator[tuple[str, list[tuple[int, str]]]]:
     if not (isinstance(cells, list) and all(isinstance(cell, dict) for cell in cells)):
         raise SheetError(f"{file}: expected a notebook with \"nbformat\": 4 and a list of cells")
     for number, cell in enumerate(cells, 1):
-        source = cell.get("source", "")
+        source = cell.get("source", [])
         parts = source if isinstance(source, list) else [source]
-        if not all(isinstance(part, Placed | str) for part in parts):
+        if not all(isinstance(part, Placed) for part in parts):
             raise SheetError(f"{file}: the source of cell {number} is no text")
         lines: list[tuple[int, str]] = []
         for part in parts:
-            line = getattr(part, "line", 0)
-            lines += [(line, text) for text in part.removesuffix("\n").split("\n")]
+            lines += [(part.line, text) for text in part.removesuffix("\n").split("\n")]
         yield str(cell.get("cell_type")), lines
 
 

@@ -6,11 +6,14 @@ import re
 
 from .comments import LABEL, LAYOUT, Collector, Place, Written
 
-COMMENT = re.compile(r"\s*[%#]*\s*dualcay:")
+COMMENT = re.compile(r"\s*(?:[%#]+\s*)?dualcay:")
 GOES_ON = re.compile(r"[%#]*(?=(?:\t|  )\s*\S)")
-OF_ROWS = ("align", "alignat", "eqnarray", "flalign", "gather")
+WITH_ARGUMENT = ("alignat", "IEEEeqnarray")
+"""Environments whose first group in braces is no part of an equation."""
+OF_ROWS = (*WITH_ARGUMENT, "align", "eqnarray", "flalign", "gather")
 """Environments whose rows are equations of their own."""
 ENVIRONMENTS = ("displaymath", "equation", "multline", *OF_ROWS)
+ARGUMENT = re.compile(r"\s*\{[^{}]*\}")
 ROW = re.compile(r"\\\\(?:\*|[ \t]*\[[^][{}\\]{0,20}\])?|\\(begin|end)\b|[{}]|\\.", re.DOTALL)
 
 
@@ -43,20 +46,22 @@ class Scanner:
         """Begin or end a display at a token; return where the text of the display or what follows it begins."""
         if not self.kind:
             self.begin(kind, line, token.start() + 1)
-        elif self.kind != kind:
+            argument = ARGUMENT.match(text, token.end()) if kind.rstrip("*") in WITH_ARGUMENT else None
+            return (argument or token).end()
+        if self.kind != kind:
             return begun
-        else:
-            self.add(line, text, begun, token.start())
-            self.end()
+        self.add(line, text, begun, token.start())
+        self.end()
         return token.end()
 
     def end(self) -> None:
         """Collect the rows of the open display, and after each the comments that follow its first sign."""
         whole = Written.of(self.body)
-        rows = _rows(whole) if self.kind.rstrip("*") in OF_ROWS else [(0, len(whole))] if whole.strip() else []
+        of_rows = self.kind.rstrip("*") in OF_ROWS
+        rows = _rows(whole) if of_rows else [(0, len(whole))] if whole.strip() else []
         self.kind, nexts = "", [first for first, _ in rows[1:]]
         for i, (first, end) in enumerate(rows):
-            latex, place = whole[first:end], whole.place(first) if i else self.begun
+            latex, place = whole[first:end], whole.place(first) if of_rows else self.begun
             labels = [" ".join(label.split()) for label in LABEL.findall(latex)] or [self.label] * bool(self.label)
             self.collected.equation(latex, place, self.cell or f"{self.prefix}line {place.line}", labels)
             while nexts[i:] and self.comments and self.comments[0][0] <= nexts[i]:

@@ -14,6 +14,8 @@ from .names import Abbreviation, ClaimError, Kind, Scope, call, latex_of
 from .operations import OPERATIONS
 from .printed import Number, Symbol, Term, symbols
 
+ROW_MAX = 50
+"""Largest number of definitions that use one another in a row."""
 COUNTED, LOCAL = ("sum", "product", "all"), ("limit", "integral", "at", "expectation")
 """Operations over an integer letter, which is their first argument, and others whose letter has no value outside."""
 FREE = ("real", "positive", "real angle", "real vector", "twist", "wrench")
@@ -50,6 +52,8 @@ class Reader(Expressions):
     def _abbreviated(self, called: Abbreviation, node: ast.expr, given: Sequence[ast.expr]) -> tuple[Term, Kind]:
         if called.name in self.scope.open:
             raise self.error(f"the definition of {called.name} uses itself", node)
+        if len(self.scope.open) >= ROW_MAX:
+            raise self.error(f"at most {ROW_MAX} definitions use one another in a row", node)
         if len(given) != len(called.parameters):
             raise self.error(f"{called.head} takes {len(called.parameters)} arguments, got {len(given)}", node)
         found = [self.read(argument) for argument in given]

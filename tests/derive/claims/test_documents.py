@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import tomllib
 from collections.abc import Callable
 from contextlib import suppress
 from pathlib import Path
@@ -14,8 +15,11 @@ import derive
 from derive.claims.documents import READERS, content
 from derive.claims.documents.comments import PARTS_MAX
 from derive.claims.documents.files import BYTES_MAX, DEPTH_MAX, FILES_MAX, SheetError
+from derive.claims.draft import draft
+from derive.claims.language.claims import ROW_MAX
 from derive.claims.sheet import BYTES_MAX as SHEET_MAX
-from derive.claims.sheet import EQUATIONS_MAX, load
+from derive.claims.sheet import EQUATIONS_MAX, MESSAGE_MAX, load
+from derive.output.shown import seen
 from tests.support.command import dualcay
 
 Say = Callable[[str, str], str]
@@ -46,6 +50,8 @@ def in_rest(*lines: str) -> str:
 
 
 TEX = {name: environment(name) for name in ("equation", "equation*", "align", "gather*", "multline", "eqnarray")} | {
+    "alignat": lambda label, latex: rf"\begin{{alignat}}{{2}}\label{{{label}}} {latex} \end{{alignat}}",
+    "of three": lambda label, latex: rf"\begin{{IEEEeqnarray*}} {{rCl}}{latex}\label{{{label}}}\end{{IEEEeqnarray*}}",
     "bracket": lambda label, latex: rf"\[ {latex} \label{{{label}}} \]",
     "dollars": lambda label, latex: f"text $a$ $${latex}\\label{{{label}}}$$ text",
 }  # fmt: skip
@@ -133,7 +139,7 @@ def test_rows_of_an_environment_are_equations_with_the_comments_after_their_firs
     tables, wrong = content(written(tmp_path, "a.tex", ROWS))
     found = [(row["number"], row["at"].rpartition(":")[2], row.get("claim"), row.get("domain"))
              for row in tables["equation"]]  # fmt: skip
-    assert found == [("one", "1", "1", "1"), ("two", "4", "2", None), ("line 7", "7", "3", "3"),
+    assert found == [("one", "2", "1", "1"), ("two", "4", "2", None), ("line 7", "7", "3", "3"),
                      ("line 11", "11", None, None), ("line 11 (2)", "11", None, None)]  # fmt: skip
     assert [error.at[1] for _, error in wrong if error.at] == [2, 9]
     assert all("has a claim already" in error.message for _, error in wrong)
@@ -191,7 +197,7 @@ HOSTILE = {
     "comments.tex": ("$$a$$\n" + "% dualcay: claim a\n" * MANY, f"at most {PARTS_MAX}"),
     "claims.tex": ("$$a$$\n% dualcay: claim 1 == 1\n" * (EQUATIONS_MAX + 1), f"at most {EQUATIONS_MAX} equations"),
     "binary.tex": (bytes(range(256)) * 999, "expected UTF-8"), "zero.md": ("$$a\0$$", "0x0"),
-    "open.tex": ("\\begin{equation}\n" + "a\n" * MANY, "begins in line 1 and has no end"),
+    "open.tex": ("\\begin{equation}\n" + "a\n" * MANY, "open.tex:1: no displayed equation; equation begins in"),
     "dollars.md": ("$$\n" * (MANY + 1), f"begins in line {MANY + 1} and has no"),
     "fence.md": ("```math\na", "a block math begins in line 1"),
     "files.tex": ("\\input{none}" * MANY, f"at most {FILES_MAX} files"),
@@ -220,7 +226,7 @@ def test_hostile_file_is_one_line(name: str, tmp_path: Path) -> None:
 
 LONG = ["$$a" + "=b" * MANY, "$$a$$" + "\\verb|" * MANY, "$" * MANY * 2, "\\begin" * MANY, "\\label{" * MANY,
         "\\begin{align}" + "{" * MANY, "\\begin{align}" + "\\\\[" * 900 + "a" * MANY, "`" * MANY, "<!--" * MANY,
-        ":" * MANY, " " * MANY]  # fmt: skip
+        ":" * MANY, " " * MANY, "%" + " " * 9 * MANY + "x", "<!-- #" + " " * 9 * MANY + "x -->"]  # fmt: skip
 
 
 @pytest.mark.parametrize("suffix", READERS)
@@ -230,6 +236,51 @@ def test_huge_lines_are_read(suffix: str, tmp_path: Path) -> None:
         file = written(tmp_path, f"a{suffix}", whole if suffix == ".ipynb" else f"{text}\n$$z$$\n\n.. math:: z\n")
         with suppress(SheetError):  # such as for a display that does not end
             assert content(file)[0]["equation"]
+
+
+@pytest.mark.parametrize(("each", "message"), [("{} + 1", f"at most {ROW_MAX} definitions"), ("{}" + " + 1" * 15, "")])
+def test_definitions_in_a_long_row_are_a_problem_at_the_claim(each: str, message: str, tmp_path: Path) -> None:
+    rows = (f"% dualcay: definition d{i + 1} = {each.format(f'd{i}')}" for i in range(2 * ROW_MAX))
+    lines = ("% dualcay: letters d0 = real", *rows, "$$d_{100} = 1$$ $$1$$", f"% dualcay: claim d{2 * ROW_MAX} == 1")
+    file = written(tmp_path, "a.tex", "\n".join(lines))
+    (problem,) = load(file).problems
+    assert (problem.file, problem.line) == (str(file), len(lines))
+    assert message in problem.message
+    assert "latex = 'd_{100} = 1'\nclaim = \"\"  # not understood: " in draft(file, {})[0]
+
+
+def test_messages_are_short(tmp_path: Path) -> None:
+    file = written(tmp_path, "a.tex", f"$$1 = 1$$\n% dualcay: letters v = {'vector ' * MANY}")
+    assert len(str(load(file).problems[0])) < MESSAGE_MAX + 999
+
+
+HARM = "\x1b]0;a\x07\x9b31m\u202e\u2066\n::error::x\ud800\0\x7f[/x]"
+"""Signs that a terminal or a workflow may obey, that turn the order of text, or that no file can hold."""
+
+
+@pytest.mark.parametrize("form", ["text", "html", "json", "github"])
+@pytest.mark.parametrize("suffix", [".ipynb", ".toml"])
+def test_no_sign_of_a_document_does_more_than_be_seen(suffix: str, form: str, tmp_path: Path) -> None:
+    said = ["$$x\n\\label{" + HARM + "}$$\n", "<!-- dualcay: letters x = real -->\n", "$$y\\label{b}" + HARM + "$$\n",
+            "<!-- dualcay: claim x == 1 -->\n<!-- dualcay: remark " + HARM + "-->",
+            f"<!-- dualcay: claim [{HARM}] y == 1 -->"]  # fmt: skip
+    text = json.dumps({"nbformat": 4, "cells": [{"cell_type": "markdown", "source": said}]})
+    if suffix == ".toml":
+        name = json.dumps(HARM.replace("\ud800", "")).replace("\x7f", "\\u007f").replace("\x9b", "\\u009b")
+        row = "[[equation]]\nnumber = {}\nclaim = '{} == 1'\nlatex = {}\nremark = {}\n"
+        text = f"[paper]\nshort = {name}\n[letters]\nx = 'real'\n"
+        text += row.format(name, "y", name, name) + row.format(name[:-1] + 'b"', "x", name, name)
+    file = written(tmp_path, f"a{suffix}", text)
+    done = dualcay("verify", file.name, "--format", form, cwd=tmp_path)
+    assert done.returncode == 2
+    assert "false" in done.stdout
+    printed = [done.stdout, done.stderr]
+    if suffix == ".ipynb" and form == "text":
+        printed.append(draft(file, {})[0])
+        assert [row["number"] for row in tomllib.loads(printed[-1])["equation"]][1] == "b"
+    for out in printed:
+        assert out == seen(out)
+    assert not any(line.lstrip().startswith("::") for line in done.stderr.splitlines())
 
 
 def test_false_claim_hidden_in_forty_equations_is_found_with_its_line(tmp_path: Path) -> None:

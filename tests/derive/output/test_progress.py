@@ -36,7 +36,7 @@ def on_terminal(monkeypatch: pytest.MonkeyPatch, after: float) -> Terminal:
 def long_work() -> None:
     """Report two of three steps, the second one when any bar has appeared."""
     with shown.bar(3) as step:
-        step("first")
+        step("first [/x]")
         for thread in threading.enumerate():
             if isinstance(thread, threading.Timer):
                 thread.join()
@@ -47,7 +47,7 @@ def test_bar_appears_after_a_while_and_goes(monkeypatch: pytest.MonkeyPatch) -> 
     terminal = on_terminal(monkeypatch, 0.1)
     long_work()
     text = terminal.getvalue()
-    assert "first" in text
+    assert "first [/x]" in text
     assert "1/3" in text
     assert text.endswith("\x1b[2K")  # the line of the bar is erased
 
