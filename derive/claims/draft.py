@@ -27,12 +27,13 @@ def draft(path: str | Path, letters: Mapping[str, str]) -> tuple[str, list[Probl
     for where, error in wrong:
         reader.problem(where, error)
     kinds, definitions = {**tables["letters"], **letters}, tables["definitions"]
-    known = spellings(reader.scope(kinds, definitions, {}))
+    plain = reader.scope(kinds, definitions, {})
+    known = spellings(plain)
     printed = ways((row["latex"] for row in tables["equation"]), known)
     only = {name: known[next(iter(way))][1] for name, way in printed.items() if len(way) == 1}
     known = Spellings({way: found for way, found in known.items() if only.get(found[0]) == found[1]})
     scope = Reader(str(path)).scope(kinds, definitions, only)
-    usual = {name: str(symbol.args[2]) for name, (symbol, _) in reader.scope(kinds, {}, {}).letters.items()}
+    usual = {name: str(symbol.args[2]) for name, (symbol, _) in plain.letters.items()}
     own = {name: shown for name, shown in only.items() if usual.get(name, latex_of(name)) != shown}
     parts = [HEADING.format(name=one_line(Path(path).name)), _table("paper", {"slug": Path(path).stem})]
     parts += [_table(*part) for part in (("letters", kinds), ("definitions", definitions), ("latex", own)) if part[1]]

@@ -5,7 +5,6 @@ from __future__ import annotations
 import re
 from bisect import bisect_right
 from collections import Counter
-from itertools import pairwise
 from typing import NamedTuple
 
 from ..language.names import ClaimError
@@ -118,10 +117,9 @@ class Collector:
         elif head[1] == "definition":
             _pair(rest, self.definitions)
         else:
-            ends = [place for place, sign in enumerate(rest) if sign == ";"]
-            for first, end in pairwise((-1, *ends, len(rest))):
-                if rest[first + 1 : end].strip():
-                    _pair(rest.part(first + 1, end), self.letters)
+            for found in re.finditer(r"[^;]+", rest):
+                if found[0].strip():
+                    _pair(rest.part(*found.span()), self.letters)
 
     def _of_equation(self, word: str, label: str | None, text: Written) -> None:
         if not self.equations:

@@ -89,11 +89,12 @@ class Report:
 
     @property
     def counts(self) -> dict[str, int]:
-        """Numbers of equations that are decided and not read, then those of each status and of proofs."""
+        """Numbers of equations that are decided and not read, then of each status, of proofs and of proposed claims."""
         found = Counter(result.status for result in self.results)
         decided = len(self.results) - found[Status.UNDECIDED] - found[Status.UNREFUTED]
         counts = {"decided": decided, "unread": len(self.unread) + len(self.problems)}
         rest = {str(status): found[status] for status in MEANING} | {"proofs": len(self.proofs)}
+        rest["proposed"] = sum(result.equation.proposed for result in self.results)
         return counts | {what: n for what, n in rest.items() if n}
 
     @property

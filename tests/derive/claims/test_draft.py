@@ -120,18 +120,21 @@ def test_caution_stands_beside_the_verdict_until_the_mark_is_deleted(
         assert said is mark, form
         assert "line 3" in text or form in LINEWISE
         assert "1 decided, 1 unread" in text or form in ("json", "sarif")
+        assert ("1 proposed" in text or '"proposed": 1' in text) is mark or form not in LINEWISE
     assert ("read this" in str(results[0].cells())) is False
 
 
 def test_command_writes_a_draft_and_keeps_what_stands_there(tmp_path: Path) -> None:
-    text = "$$v \\times v = 0$$\n<!-- dualcay: clam -->\n$$x = y$$\n<!-- dualcay: claim 1 == 1 -->\n"
+    text = "<!-- dualcay: letters z = rael -->\n$$v \\times v = 0$$\n<!-- dualcay: clam -->\n"
+    text += "$$x = y$$\n<!-- dualcay: claim 1 == 1 -->\n"
     (tmp_path / "paper.md").write_text(text)
     command = ("draft", "paper.md", "--let", "v=vector", "-o", "sheet.toml")
     done = dualcay(*command, cwd=tmp_path)
     assert (done.returncode, done.stdout) == (2, "")
     assert done.stderr.splitlines() == [
         "sheet.toml: 2 equations, 0 unread",
-        "paper.md:2: comment, column 14: expected letters, definition, claim, domain, corrected, remark, got 'clam'",
+        "paper.md:3: comment, column 14: expected letters, definition, claim, domain, corrected, remark, got 'clam'",
+        "paper.md:1: letter z, column 27: no kind 'rael' of z: expected real",
     ]  # fmt: skip
     text = (tmp_path / "sheet.toml").read_text()
     assert text.count("\nproposed = true") == 1
