@@ -52,9 +52,11 @@ def signs(formula: str) -> list[str]:
     for sign in SIGN.findall(formula):
         sign = re.sub(r"(?<=\w)\s", "", sign)
         sign = SAME.get(sign, sign)
-        if sign.isdigit() and found and found[-1] in ("^", "_", r"\frac", r"\sqrt"):
+        while sign.isdigit() and _is_argument(found):
             found.append(sign[0])  # an argument without braces is one digit
             sign = sign[1:]
+        if sign.isdigit() and found and found[-1].isdigit() and not _is_argument(found[:-1]):
+            sign = found.pop() + sign  # spaces between digits are not printed
         if sign and sign not in LAYOUT:
             found.append(sign)
         if found[-3:-2] == ["{"] and found[-1] == "}" and found[-2] not in "{}":
@@ -63,6 +65,15 @@ def signs(formula: str) -> list[str]:
         found.pop()
     ends = [r"\\", *found, "", ""]
     return [sign for sign, *near in zip(found, ends, ends[2:], ends[3:], strict=False) if not _only_aligns(sign, *near)]
+
+
+def _is_argument(found: list[str]) -> bool:
+    """Return whether the sign after these, without braces, is an argument of the last command."""
+    at, depth = len(found) - 1, 0
+    while at > 0 and (depth := depth + (found[at] == "}") - (found[at] == "{")) > 0:
+        at -= 1
+    is_second = found[-1:] != ["{"] and found[max(at - 1, 0) : at] == [r"\frac"]
+    return is_second or found[-1:] in (["^"], ["_"], [r"\frac"], [r"\sqrt"])
 
 
 def _only_aligns(sign: str, before: str, after: str, later: str) -> bool:

@@ -29,6 +29,7 @@ READ = {
     r"v_1 \times (v \times w) = \operatorname{tr} A \, v": None,
     r"\operatorname{tr}(A) \neq \det A": "trace(A) != det(A)", "b^12 = b": "b**1*2 == b",
     r"G(v, w)\, n = \sqrt{b^2}\, G(w, v)\, n": "G(v, w)*n == sqrt(b**2)*G(w, v)*n",
+    r"\frac123 b = \frac{1}{23} b": "1/2*3*b == 1/23*b", r"\frac{b c}34 b = 10\,240 c": "b*c/3*4*b == 10240*c",
     r"2\,\sin a\cos b\; v\times w = 0": "2*sin(a)*cos(b)*cross(v, w) == 0",
     r"a &= b \\ &\; + c \\ &= c": "a == b + c == c",
     r"-a b + c = c - b a": "-(a*b) + c == c - b*a", r"\hat q\,\hat{q}^{*} = 1": "q*conjugate(q) == 1",
