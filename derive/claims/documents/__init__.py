@@ -13,6 +13,7 @@ notebook  notebooks
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -22,7 +23,8 @@ from .comments import Collector
 from .files import Files, SheetError
 
 READERS: dict[str, Callable[[Files, Collector], None]] = {
-    ".tex": tex.read, ".md": markup.read_markdown, ".rst": markup.read_rest, ".ipynb": notebook.read,
+    ".tex": tex.read, ".md": partial(markup.read, markup.Markdown), ".rst": partial(markup.read, markup.Rest),
+    ".ipynb": notebook.read,
 }  # fmt: skip
 """Readers of documents by the ending of the file."""
 

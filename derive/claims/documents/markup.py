@@ -114,9 +114,5 @@ class Rest(Scanner):
             self.add(number, line, 0, len(line))
 
 
-def read_markdown(files: Files, collected: Collector) -> None:
-    Markdown(collected, files.first).lines(enumerate(files.text(files.first).split("\n"), 1))
-
-
-def read_rest(files: Files, collected: Collector) -> None:
-    Rest(collected, files.first).lines(enumerate(files.text(files.first).split("\n"), 1))
+def read(kind: type[Markdown | Rest], files: Files, collected: Collector) -> None:
+    kind(collected, files.first).lines(enumerate(files.text(files.first).split("\n"), 1))

@@ -42,15 +42,15 @@ class Scanner:
             self.body.append((Place(self.file, line, first + 1), text[first:end]))
             self.size += end - first + 1
 
-    def edge(self, kind: str, line: int, text: str, begun: int, token: re.Match[str]) -> int:
-        """Begin or end a display at a token; return where the text of the display or what follows it begins."""
+    def edge(self, kind: str, line: int, text: str, first: int, token: re.Match[str]) -> int:
+        """Begin or end a display at a token; return where the text after it begins, `first` if it did neither."""
         if not self.kind:
             self.begin(kind, line, token.start() + 1)
             argument = ARGUMENT.match(text, token.end()) if kind.rstrip("*") in WITH_ARGUMENT else None
             return (argument or token).end()
         if self.kind != kind:
-            return begun
-        self.add(line, text, begun, token.start())
+            return first
+        self.add(line, text, first, token.start())
         self.end()
         return token.end()
 

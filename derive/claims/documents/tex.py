@@ -48,7 +48,7 @@ class Reader(Scanner):
     def _line(self, number: int, line: str) -> None:
         if not line.lstrip().startswith("%"):
             self.going_on = False
-        at = begun = 0
+        at = first = 0
         while not self.ended:
             if self.verbatim:
                 ending = line.find(self.verbatim, at)
@@ -64,16 +64,16 @@ class Reader(Scanner):
             elif token["verb"]:
                 at = line.find(token["verb"], at) + 1 or len(line)
             elif token["percent"]:
-                self.add(number, line, begun, token.start())
+                self.add(number, line, first, token.start())
                 self.comment(number, at + 1, line[at:])
                 return
             elif token["file"] is not None or token["word"]:
-                self.add(number, line, begun, token.start())
+                self.add(number, line, first, token.start())
                 self._take_in(number, (token["file"] or token["word"] or "").strip())
-                begun = at
+                first = at
             elif kind := self._kind(token):
-                begun = self.edge(kind, number, line, begun, token)
-        self.add(number, line, begun, len(line))
+                first = self.edge(kind, number, line, first, token)
+        self.add(number, line, first, len(line))
 
     def _kind(self, token: re.Match[str]) -> str:
         """Return the kind of the display that a token begins or ends; empty if it does neither."""
