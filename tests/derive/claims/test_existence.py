@@ -24,7 +24,7 @@ APART = [
     ("norm(b + h)", "re(b + h) != 0"), ("norm(b)", "re(norm(b)) != 0"), ("norm(du(b))", "b != 0 and re(b) == 0"),
     ("entry(u, 3)", f"{ACROSS} and entry(u, 2) == 0"), ("1 - entry(u, 1)**2", "entry(u, 3) != 0"),
     ("x**2 + y**2", "not (x == 0 and y == 0)"), ("1 + norm(R*v + S*w)**2", ""), ("1 + norm(q*b*p)**3", ""),
-    ("sum(i, 1, 2, 1/i + x**2)", ""), ("1 + norm(x*v)**2 + rate(x)**2", ""),
+    ("cos(pi/3) - 1/4", ""), ("sum(i, 1, 2, 1/i + x**2)", ""), ("1 + norm(x*v)**2 + rate(x)**2", ""),
 ]  # fmt: skip
 """Divisors with a domain that keeps them from 0."""
 OPEN = [
@@ -33,7 +33,7 @@ OPEN = [
     ("entry(u, 3)", ACROSS), ("entry(u, 3)", f"{ACROSS} and entry(u, 3)*entry(u, 2) == 0"),
     ("1 - entry(u, 1)**2", "entry(u, 1) != 0"), ("x**2 + y", "not (x == 0 and y == 0)"),
     ("c**2 + d**2", "not (c == 0 and d == 0)"), ("1 + q", ""), ("norm(v) + norm(w)", ""), ("R - S", "R - S != 0"),
-    ("sum(i, -1, 1, i + x**2)", ""),
+    ("cos(pi/3) - 1/2", ""), ("sin(pi/4) - sqrt(2)/2", ""), ("sum(i, -1, 1, i + x**2)", ""),
     ("1 + norm(x*v)**3 + rate(x)**2", ""),
 ]  # fmt: skip
 """Divisors that are 0, or whose real part is, somewhere in a domain."""
@@ -90,6 +90,12 @@ ONE = {
 """Bases whose zeroth power is this, also those without an inverse."""
 PROVED = [
     *((f"({base})**0 == {one}", f"({base})**0 == 2*{one}", "") for one, bases in ONE.items() for base in bases),
+    *((f"{f}(pi/{m}) == {number}", f"{f}(pi/{m}) == 1/10**90 + {number}", "") for f, m, number in (
+        ("cos", 3, "1/2"), ("sin", 4, "sqrt(2)/2"), ("tan", 8, "sqrt(2) - 1"), ("cot", 12, "2 + sqrt(3)"),
+        ("cos", 5, "(1 + sqrt(5))/4"), ("sin", 5, "sqrt((5 - sqrt(5))/8)"), ("sin", 12, "(sqrt(6) - sqrt(2))/4"))),
+    ("sin(a + 4*pi/3) + sin(a)/2 == -sqrt(3)/2*cos(a)", "sin(a + 4*pi/3) + sin(a)/2 == sqrt(3)/2*cos(a)", ""),
+    ("4*cos(pi/9)**3 - 3*cos(pi/9) == cos(pi/3)", "4*cos(pi/9)**3 - 3*cos(pi/9) == cos(pi/5)", ""),
+    ("1/(cos(pi/3) - 1/4) == 4", "1/(cos(pi/3) - 1/2) == 4", ""),
     ("sum(i, 0, 1, (x*identity(2))**i) == (1 + x)*identity(2)", "sum(i, 0, 1, (x*I)**i) == x*I", ""),
     ("sum(i, 1, 3, 1/factorial(i)) == 5/3", "sum(i, 0, 3, 1/factorial(i)) == 5/3", ""),
     ("all(i, 1, 2, x**(i - 1) == x**(i - 1))", "all(i, 1, 2, x**(i - 1) == x)", ""),
