@@ -14,6 +14,7 @@ from ..language.matrices import at_least, at_most, greater, less, unlike
 from ..language.operations import written
 from ..language.operator_table import Re, cos, det, equal, nonzero, norm, over, quaternion_scalar, sin, trace
 from ..language.printed import Number, Term, Trait, symbols
+from ..language.substitution import written_out
 from ..numbers.balls import BlurredError, precision
 from ..numbers.fields import innermost
 from .claim import Claim, kind
@@ -125,7 +126,7 @@ def exclusions(claim: Claim, places: Sequence[Place]) -> dict[Exclusion, Place]:
     for place in places:
         with precision(256):
             try:
-                requirement = fault(claim.env(place), claim.statement)
+                requirement = fault(claim.env(place), written_out(claim.statement))
             except (ArithmeticError, BlurredError):
                 continue
         if requirement is not None:

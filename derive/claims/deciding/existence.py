@@ -13,6 +13,7 @@ from functools import partial
 from ...algebra import Quaternion, Structure, Tensor
 from ...algebra.matrix import Matrix
 from ..language.printed import Term, symbols
+from ..language.substitution import written_out
 from ..numbers.fields import innermost
 from ..numbers.generators import Generators
 from .claim import Claim
@@ -43,7 +44,7 @@ def undecided_parts(claim: Claim, condition: Sequence[Term] = ()) -> list[Term]:
     claim, condition = with_free_product(claim, *condition)
     claim, condition = with_frames_at_rest(claim, *condition)
     given = [part.arguments[0] for part in condition if part.operator.name == "equal"]  # those have a value
-    asking = list(partial_operations(claim.statement, partial(_has_slope, claim), given))
+    asking = list(partial_operations(written_out(claim.statement), partial(_has_slope, claim), given))
     parts = list(dict.fromkeys(part for part, _ in asking))
     try:
         every = signs_of(claim, condition, parts)

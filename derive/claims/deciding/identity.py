@@ -18,7 +18,7 @@ from ..equation import Entry
 from ..language.environment import Env
 from ..language.matrices import unlike
 from ..language.operations import written
-from ..language.operator_table import Du, Re, difference, equal, over
+from ..language.operator_table import Du, Re, difference, equal, over, pi
 from ..language.printed import Number, Symbol, Term, Trait, symbols, walk
 from ..language.values import coefficients
 from ..numbers.fields import innermost
@@ -52,8 +52,8 @@ def proved(claim: Claim) -> str | None:
     """Return how a claim is proved where both sides have a value, or None."""
     modulo = f"{MODULO}, error < 2^-{SURE_BITS}"
     if orders_of(claim):
-        return _first_proof(claim, (proved_for_all_orders, EVERY))
-    return _first_proof(claim, (proved_exactly, "exact"), (proved_modulo, modulo))
+        return _first_proof(claim, (proved_for_all_orders, EVERY), (proved_by_roots, EVERY))
+    return _first_proof(claim, (proved_exactly, "exact"), (proved_modulo, modulo), (proved_by_roots, "exact"))
 
 
 def proved_at_orders(claim: Claim) -> str | None:
@@ -96,6 +96,12 @@ def proved_exactly(claim: Claim) -> bool:
 def proved_for_all_orders(claim: Claim) -> bool:
     """Return whether a claim is true for letters as its orders and branches, exactly."""
     return _for_all_signs(claim, Generators, claim.general)
+
+
+def proved_by_roots(claim: Claim) -> bool:
+    """Return whether a claim with π is true if sines of multiples of π are written by square roots."""
+    roots = partial(Generators, radicals=True)
+    return pi in symbols(claim.statement) and _for_all_signs(claim, roots, claim.general)
 
 
 def every_sign(setting_of: Callable[[tuple[int, ...]], Env]) -> Iterator[Env]:

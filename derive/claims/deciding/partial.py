@@ -9,7 +9,7 @@ from types import MappingProxyType
 from ..language.calculus import BINDERS
 from ..language.matrices import zeros
 from ..language.operator_table import Re, cos, det, infinity, sin
-from ..language.printed import Number, Symbol, Term, symbols, walk
+from ..language.printed import Number, Symbol, Term, Trait, symbols, walk
 from ..numbers.kinds import BRANCH, ORDER
 from .terms import is_dual, magnitudes
 
@@ -24,10 +24,18 @@ TURNS = ("rotation", "pose 4x4", "unit real quaternion", "orthogonal tensor", "u
 
 
 def _evaluated_nodes(statement: Term) -> Iterator[Term]:
+    """Yield the terms whose values a statement takes; that of a magnitude in an even power is not one of them."""
     yield statement
     if statement.operator.name not in EXPANDED:
-        for part in statement.arguments:
+        for part in statement.arguments[0].arguments if _is_square_of_length(statement) else statement.arguments:
             yield from _evaluated_nodes(part)
+
+
+def _is_square_of_length(node: Term) -> bool:
+    """Return whether a term is an even power of a magnitude, whose value `power` takes by that of a square."""
+    if node.operator.name != "power" or Trait.LENGTH not in node.arguments[0].operator.traits:
+        return False
+    return isinstance(node.arguments[1], Number) and node.arguments[1].value % 2 == 0
 
 
 def _point(node: Term) -> Term:

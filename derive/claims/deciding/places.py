@@ -14,6 +14,7 @@ from typing import Any
 from ...algebra import Vector
 from ..language.operations import written
 from ..language.printed import Symbol, Term, symbols
+from ..language.substitution import written_out
 from ..numbers.balls import BlurredError, arb
 from ..numbers.kinds import BRANCH, ORDER, SIGN, Numbers, Quantity, special
 from .claim import Claim, kind
@@ -244,7 +245,7 @@ class Probe:
                     yield Place(f"{one.name} across {other.name}", {**at, one: list(across)}, pair=True)
 
     def _zeros(self) -> Iterator[Place]:
-        for part in singular(*self.terms):
+        for part in singular(*map(written_out, self.terms)):
             letters = [a for a in self.claim.letters if a in symbols(part.part)]
             for letter in letters:
                 if letter in self.claim.coordinates:

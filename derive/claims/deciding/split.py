@@ -8,6 +8,7 @@ from functools import reduce
 from ..language.matrices import distance, either, unlike
 from ..language.operator_table import Re, both, cross, equal, every, implies, negated
 from ..language.printed import Apply, Number, Term, Trait, rate_depth, symbols, walk
+from ..language.substitution import each
 from .claim import Claim
 from .identity import contradicts_itself, vanishes_without
 from .solved import PARTS, symmetric
@@ -101,11 +102,8 @@ def _one_by_one(premise: Term) -> Term:
     """Return a premise with its relations for each number in place of those for every one."""
     if premise.operator is both:
         return reduce(both, map(_one_by_one, premise.arguments))
-    if premise.operator is not every or not all(isinstance(a, Number) for a in premise.arguments[1:3]):
-        return premise
-    index, low, high, body = premise.arguments
-    each = [_one_by_one(body.xreplace({index: Number(k)})) for k in range(low.value, high.value + 1)]
-    return reduce(both, each) if each else premise
+    parts = each(premise) if premise.operator is every else None
+    return reduce(both, map(_one_by_one, parts)) if parts else premise
 
 
 def _opposite(relation: Term) -> Term | None:

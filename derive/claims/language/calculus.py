@@ -6,7 +6,7 @@ Each evaluates its first argument at other values of the letter. Substitution tr
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator
 from fractions import Fraction
 from functools import reduce
 from typing import Any
@@ -19,12 +19,10 @@ from ..numbers.series import Series, SeriesField
 from . import values
 from .environment import Env
 from .operator_table import define, infinity
-from .printed import ATOM, LIST, PRODUCT, SUM, Apply, Number, OperatorRow, Symbol, Term, symbols, walk
+from .printed import ATOM, LIST, PRODUCT, SUM, Number, OperatorRow, Term, symbols, walk
 
 BINDERS: dict[str, int] = {"sum": 0, "product": 0, "every": 0}
 """Place of the bound letter among the arguments, by operator."""
-BODIES = {"sum": 3, "product": 3, "every": 3}
-"""Place of the term in which the letter is bound; the first by default."""
 SPARE = 8
 """Terms of a series that quotients of singular terms may use up."""
 
@@ -271,27 +269,3 @@ taylor = _binding("series", r"\operatorname{{series}}_{{{1}}}^{{{3}}} {0}", "ser
                   (PRODUCT, ATOM, LIST, LIST), _taylor)
 integral = _binding("integral", r"\int_{{{2}}}^{{{3}}} {0}\, d{1}", "integral({0}, {1}, {2}, {3})",
                     (SUM, ATOM, LIST, LIST), _integral)
-
-
-# ---- substitution -----------------------------------------------------------------------------------------------
-
-
-def substituted(term: Term, meanings: Mapping[Symbol, Term]) -> Term:
-    """Return a term with symbols replaced; a bound letter that would be mistaken for another one is renamed."""
-    if isinstance(term, Symbol):
-        return meanings.get(term, term)
-    if not isinstance(term, Apply) or not meanings:
-        return term
-    place = BINDERS.get(term.operator.name)
-    if place is None:
-        return Apply(term.operator.name, *(substituted(a, meanings) for a in term.arguments))
-    letter, body = term.arguments[place], BODIES.get(term.operator.name, 0)
-    assert isinstance(letter, Symbol)
-    taken = {symbol for meaning in meanings.values() for symbol in symbols(meaning)}
-    fresh = letter
-    while fresh in taken or (fresh in meanings and fresh == letter):
-        fresh = Symbol(f"{fresh.name}'", "index", str(letter.args[2]), str(letter.args[3]))
-    inner = {a: b for a, b in meanings.items() if a != letter} | ({letter: fresh} if fresh != letter else {})
-    parts = [substituted(a, inner if i == body else meanings) for i, a in enumerate(term.arguments)]
-    parts[place] = fresh
-    return Apply(term.operator.name, *parts)

@@ -6,13 +6,13 @@ import ast
 from collections.abc import Sequence
 
 from . import matrices, names, operations
-from .calculus import substituted
 from .expressions import POWER_MAX, Expressions, tree
 from .grammar import source
 from .letters import LITERALS, MEMBERS, integer
 from .names import Abbreviation, ClaimError, Kind, Scope, call, latex_of
 from .operations import OPERATIONS
 from .printed import Number, Symbol, Term, symbols
+from .substitution import substituted
 
 ROW_MAX = 50
 """Largest number of definitions that use one another in a row."""

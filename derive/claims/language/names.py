@@ -13,8 +13,8 @@ from itertools import islice
 from typing import Any
 
 from . import operator_table
-from .calculus import substituted
 from .printed import ATOM, LIST, Apply, Number, Symbol, Term, Trait, macro, takes_apart, walk, with_trait
+from .substitution import substituted
 
 Kind = str | tuple[int, int]
 VECTOR, TWIST, TENSOR, POSE = (3, 1), (6, 1), (3, 3), (4, 4)

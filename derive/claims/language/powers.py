@@ -29,7 +29,7 @@ def _power(env: Env, base: Term, exponent: Term) -> Any:
     if isinstance(e, Series) and isinstance(value, Structure):
         return _limit_of_power(env, value, e)
     if isinstance(value, matrix.Matrix):
-        factor = value if e > 0 else matrix.inverse(value)
+        factor = value if e >= 0 else matrix.inverse(value)
         return reduce(matrix.product, [factor] * abs(e), matrix.identity(len(value.rows)))
     if (env.field.ordered or isinstance(e, Series)) and not isinstance(e, int | Fraction | Structure):
         return env.field.exp(env.field.log(value) * e)

@@ -8,7 +8,10 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterator
 from fractions import Fraction
+from math import prod
 from typing import Any
+
+import sympy
 
 from ...algebra.element import NotExactError
 from .integers import Integers, is_whole
@@ -20,6 +23,7 @@ class Angles(Integers):
     """Field with sines and angles, to which a subclass gives generators; ``m/steps`` has an exact sine."""
 
     steps: int
+    radicals: bool
     closed: Collection[str]
     meanings: dict[tuple[str, Monomial], str]
     angles: list[tuple[tuple[Any, Any], Any]]
@@ -44,6 +48,9 @@ class Angles(Integers):
         whole = tuple(row for row in monomial if row != ("pi", 1))
         if len(whole) < len(monomial) and is_whole(self, whole) and (2 * multiple).denominator == 1:
             return self.quarters(whole, int(2 * multiple))
+        if self.radicals and monomial == (("pi", 1),):
+            angle = sympy.pi * sympy.Rational(multiple.numerator, multiple.denominator)
+            return self._by_roots(sympy.cos(angle)), self._by_roots(sympy.sin(angle))
         count = multiple * self.steps
         if count.denominator != 1 or not monomial:
             raise NotExactError("a number or a fraction of an angle in a sine")
@@ -52,6 +59,18 @@ class Angles(Integers):
             return self._turned(*self._on_circle(*point), int(multiple))
         t = self.symbol(self.meaning_of("tangent", monomial))
         return self._turned((1 - t * t) / (1 + t * t), 2 * t / (1 + t * t), int(count))
+
+    def _by_roots(self, a: sympy.Expr) -> Any:
+        """Return a number of SymPy that is rational, or is written by square roots."""
+        found = a.rewrite(sympy.sqrt)
+        parts = [self._by_roots(part) for part in found.args] if found.is_Add or found.is_Mul else []
+        if parts:
+            return sum(parts) if found.is_Add else prod(parts)
+        if found.is_Pow and (2 * found.exp).is_Integer:
+            return self.power(self._by_roots(found.base), Fraction(int(found.exp.p), int(found.exp.q)))
+        if not found.is_Rational:
+            raise NotExactError(f"{found} is not written by square roots")
+        return self.element(Fraction(int(found.p), int(found.q)))
 
     def _on_circle(self, y: Any, x: Any) -> tuple[Any, Any]:
         """Return cosine and sine of the angle of a point."""

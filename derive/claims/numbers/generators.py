@@ -20,6 +20,8 @@ from itertools import combinations
 from math import prod
 from typing import Any
 
+import sympy
+
 from ...algebra.element import Element, NotExactError
 from .angles import Angles
 from .ideal import Ideal
@@ -28,6 +30,8 @@ from .signed import Bound, Signed
 
 POOLS = {"tangent": 7, "exponential": 2, "root": 4, "logarithm": 4, "angle": 4, "turn": 3, "power": 0}
 """Number of generators of the exact field that are given a meaning when a formula needs one; a turn is an integer."""
+PI = sympy.Rational(314159265, 10**8), sympy.Rational(314159266, 10**8)
+"""Interval of π."""
 POWERS_MAX = 12
 """Number of generators of powers in a field with integers."""
 
@@ -37,17 +41,18 @@ class Generators(Angles):
 
     Multiples of ``m/steps`` have exact sine and cosine, for every monomial m of the names. `ranges` gives intervals of
     names, closed ones for names in `closed`; `integers` are the names of integers, and `signs` the signs of the first
-    roots of unknown sign.
+    roots of unknown sign. Sines of multiples of π are written by roots if `radicals`, else by a tangent.
     """
 
     pools: Mapping[str, int] = POOLS
 
     def __init__(
         self, names: Sequence[str], ranges: Mapping[str, tuple[Bound, Bound]], integers: Sequence[str], steps: int,
-        signs: Sequence[int] = (), closed: Collection[str] = (),
+        signs: Sequence[int] = (), closed: Collection[str] = (), radicals: bool = False,
     ) -> None:  # fmt: skip
         super().__init__(signs)
-        self.names, self.given, self.steps = tuple(names), dict(ranges), steps
+        self.radicals = radicals
+        self.names, self.given, self.steps = tuple(names), {"pi": PI, **ranges}, steps
         self.closed, self.limits, self.endless = closed, set[str](), set[str]()
         self.ratios: dict[Monomial, tuple[Bound, Bound]] = {}  # intervals of quotients
         self.pools = {**self.pools, "power": POWERS_MAX if integers else 0}
@@ -62,9 +67,9 @@ class Generators(Angles):
 
     @cached_property
     def ring(self) -> Any:
-        """Ring of all generators; roots come first, since a relation eliminates its first generator."""
+        """Ring of all generators; later roots come first, since a relation eliminates its first generator."""
         first, *others = map(self.pool, ("root", "turn", "angle", "logarithm", "tangent", "exponential", "power"))
-        names = [*first, *self.names, "pi", *(name for pool in others for name in pool)]
+        names = [*reversed(first), *self.names, "pi", *(name for pool in others for name in pool)]
         found = Signed(names, self.given, self.closed)
         found.limits |= self.limits
         found.endless |= self.endless
@@ -124,9 +129,12 @@ class Generators(Angles):
         """Return the root of a number that is no square: by the root of another one, or with a generator."""
         for count in range(1, len(self.extensions) + 1):
             for some in combinations(self.extensions, count):
-                squares = prod((other for other, _ in some), start=self.element(1))
-                if (found := self.root(squares * a)) is not None:
-                    return self.chosen(found / squares * prod(self.symbol(name) for _, name in some))
+                squares = prod((other.numerator for other, _ in some), start=self.ring.library.one)
+                product = squares * a.numerator * a.denominator
+                for square in (product, self.ring.normal_form(product)):
+                    if (found := self.ring.library.square_root(square)) is not None:
+                        ratio = self.ring.fraction(found, squares * a.denominator)
+                        return self.chosen(ratio * prod(self.symbol(name) for _, name in some))
         name, square = self.next_of("root"), a.numerator * a.denominator
         generator = self.symbol(name)
         self.ring.relations.append(generator.numerator**2 - square)
