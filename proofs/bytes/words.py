@@ -282,6 +282,11 @@ class Words:
     def _wider(self, word: Any, width: int, wide: int) -> Any:
         return self.joined((word, width), *((0, step) for step in self._steps(width, wide)))
 
+    def _cut(self, name: str, groups: tuple[str, ...], word: Any) -> Any:
+        """Return a vector with zeros in place of its highest bits."""
+        width = 16 - int(groups[0]) // 8
+        return self._wider(self.part(word, 0, width), width, 16)
+
     def _steps(self, width: int, wide: int) -> list[int]:
         """Return the widths of zeros that fill a word: first up to a whole number, then by numbers."""
         rest = -width % self.unit
@@ -321,6 +326,7 @@ TABLE = (
     (r"(Shl|Shr|Sar)N(\d+)x(\d+)", "_shifted"),
     (r"(?:\d+|V128|V256)(HI)?to(\d+|V128)(?:_(\d))?", "_part"),
     (r"(\d+)([US])to(\d+|V128)", "_extended"),
+    (r"ZeroHI(\d+)ofV128", "_cut"),
     (r"(\d+|V128)HLto(?:\w+)|(\d+)x4toV256", "_pair"),
     (r"SetV128lo(32|64)", "_low"),
     (r"Interleave(LO|HI)(\d+)x(\d+)", "_interleaved"),
