@@ -120,6 +120,7 @@ def test_command_reads_an_object(
     assert f"{CHART}rate: different" in capsys.readouterr().out
     assert main([*options, str(headers / "cayley2.h")]) == 2
     assert main([str(headers), "--cc", "no-such-compiler"]) == 3
+    assert main([str(headers / "missing")]) == main([*options[:-2], "no_such", "--disassembly", str(built)]) == 2
 
 
 @pytest.mark.parametrize("real", ["double", "float"])
