@@ -6,7 +6,8 @@ symbols: arrays lie apart; a batch has 0 to 3 rows, and more until each instruct
 has the values -9 to 9, in a batch -1 to 1. The text of a batch is read for one row. Functions of math.h are any
 functions. Machine code of x86-64, with AVX too, and of AArch64 is translated by pyvex, whose translation is trusted.
 
-The exit code is 1 if a function differs, 2 if a file is no machine code, 3 if a compiler or the library cle is missing.
+The exit code is 1 if a function differs, 2 if a file is no machine code or no function is found, 3 if a compiler or the
+library cle is missing.
 """
 
 from __future__ import annotations
@@ -99,6 +100,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
                     print(lines[-1], flush=True)
                     where = f"{compiler}, {real}"
                     reasons += [f"{where}, {each.name}: {each.verdict}: {each.reason}" for each in found if each.reason]
+        if not total:
+            raise MachineError(f"{chosen.folder}: no header with a function whose name contains {chosen.function!r}", 2)
         lines.append(row("all", "", "", *counts(total)))
         print(lines[-1], *reasons, sep="\n")
         if chosen.output:

@@ -52,6 +52,7 @@ def _condition_arm64(both: Any, one: Any, two: Any, _: Any) -> int:
 
 
 CONDITIONS: Mapping[str, Callable[..., int]] = {
-    "amd64g_calculate_condition": _condition_amd64, "arm64g_calculate_condition": _condition_arm64,
+    "amd64g_calculate_condition": _condition_amd64,
+    "arm64g_calculate_condition": _condition_arm64,
 }
 """Helpers of intermediate code by their names."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import zlib
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import Any
 
 import numpy as np
@@ -22,32 +22,46 @@ class Equality:
 
     def __init__(self, trees: Trees) -> None:
         self.trees = trees
-        self.compared = dict[tuple[Tree, Tree, Facts], bool]()
+        self.reasons = dict[tuple[Tree, Tree], list[Facts]]()
+        self.refused = set[tuple[Tree, Tree, Facts]]()
+        self.compared = 0
         self.cases = dict[tuple[Tree, int], dict[Tree, Any]]()
         self.samples = dict[Tree, Any]()
-        self.becoming = dict[tuple[Tree, Tree], bool]()
 
-    def equal(self, a: Any, b: Any, facts: Facts = frozenset()) -> bool:
-        """Return whether two values have the same bits, however the numbers compare on which their choices depend.
+    def equal(self, a: Any, b: Any) -> bool:
+        """Return whether two values have the same bits, however the numbers compare on which their choices depend."""
+        return self._reason(a, b, frozenset()) is not None
 
-        ``facts`` are pairs whose relation is known, by its place.
-        """
+    def _reason(self, a: Any, b: Any, facts: Facts) -> Facts | None:
+        """Return those of some facts by which two values have the same bits, or None."""
         if not (isinstance(a, Tree) and isinstance(b, Tree)) or a is b:
-            return same(a, b)
+            return frozenset() if same(a, b) else None
         pairs = a.pairs | b.pairs
         for pair, place in facts:
             if pair in pairs:  # it came again when another pair was known
-                return self.equal(self._in_case(a, pair, place), self._in_case(b, pair, place), facts)
-        nested = [pair for pair in pairs if pair.pairs]
-        needed = frozenset(fact for fact in facts if any(self._may_become(each, fact[0]) for each in nested))
-        known = self.compared.get((a, b, needed)) or self.compared.get((a, b, facts))
-        if known is None:
-            if len(self.compared) > COMPARISONS:
-                raise Declined(f"more than {COMPARISONS} comparisons of trees")
-            known = self.alike_at_samples(a, b, facts)
-            known = known and (self._alike(a, b, facts) or self._equal_in_cases(a, b, facts))
-            self.compared[a, b, needed if known else facts] = known
-        return known
+                return self._in_case_reason(a, b, pair, place, facts)
+        for reason in self.reasons.setdefault((a, b), []):
+            if reason <= facts:
+                return reason
+        if (a, b, facts) in self.refused:
+            return None
+        self.compared += 1
+        if self.compared > COMPARISONS:
+            raise Declined(f"more than {COMPARISONS} comparisons of trees")
+        found = None
+        if self.alike_at_samples(a, b, facts):
+            found = self._alike(a, b, facts)
+            found = self._equal_in_cases(a, b, facts) if found is None else found
+        if found is None:
+            self.refused.add((a, b, facts))
+        else:
+            self.reasons[a, b].append(found)
+        return found
+
+    def _in_case_reason(self, a: Tree, b: Tree, pair: Tree, place: int, facts: Facts) -> Facts | None:
+        """Return the facts by which two trees are equal where one of the facts holds, with that one."""
+        found = self._reason(self._in_case(a, pair, place), self._in_case(b, pair, place), facts)
+        return None if found is None else found | {(pair, place)}
 
     def alike_at_samples(self, a: Tree, b: Tree, facts: Facts = frozenset()) -> bool:
         """Return whether two trees have the same bits at the samples for which facts hold."""
@@ -75,7 +89,7 @@ class Equality:
                                  "sqrt": np.sqrt}  # fmt: skip
         if tree.kind in known:
             return known[tree.kind](*map(self.sample, tree.parts))
-        if tree.kind in LEAVES:
+        if tree.kind in LEAVES or any(isinstance(part, tuple) for part in tree.parts):  # as of words of unequal parts
             seed = zlib.crc32(repr((tree.kind, tree.parts)).encode())
             return np.random.default_rng(seed).normal(size=len(SCALES)) * SCALES
         inner = np.full(len(SCALES), float(zlib.crc32(tree.kind.encode()) % 1000))
@@ -90,40 +104,33 @@ class Equality:
             self.samples[pair] = 4 - 3 * (a < b) - 2 * (a == b) - (a > b)
         return self.samples[pair]
 
-    def _may_become(self, one: Tree, other: Tree) -> bool:
-        """Return whether a tree may be another one, but for signs, for some relations of its pairs."""
-        one, other = (each.parts[0] if each.kind == "neg" else each for each in (one, other))
-        if one is other or not one.pairs:
-            return one is other
-        if (one, other) not in self.becoming:
-            if one.kind in CHOICES:
-                made = any(isinstance(part, Tree) and self._may_become(part, other) for part in one.parts[1:])
-            else:
-                made = one.kind == other.kind and len(one.parts) == len(other.parts) and any(
-                    all(map(self._part_may_become, one.parts, order)) for order in (other.parts, other.parts[::-1]))
-            self.becoming[one, other] = made
-        return self.becoming[one, other]
-
-    def _part_may_become(self, one: Any, other: Any) -> bool:
-        return self._may_become(one, other) if isinstance(one, Tree) and isinstance(other, Tree) else bool(one == other)
-
-    def _alike(self, a: Tree, b: Tree, facts: Facts) -> bool:
-        """Return whether two trees are one operation on equal operands."""
+    def _alike(self, a: Tree, b: Tree, facts: Facts) -> Facts | None:
+        """Return the facts by which two trees are one operation on equal operands, or None."""
         if a.kind != b.kind or a.kind in CHOICES or len(a.parts) != len(b.parts) or not (a.pairs or b.pairs):
-            return False
-        orders = [b.parts, b.parts[::-1]] if a.kind in ("add", "mul") else [b.parts]
-        return any(all(self.equal(x, y, facts) for x, y in zip(a.parts, order, strict=True)) for order in orders)
+            return None
+        for order in (b.parts, b.parts[::-1]) if a.kind in ("add", "mul") else (b.parts,):
+            if (found := self._all(self._reason(x, y, facts) for x, y in zip(a.parts, order, strict=True))) is not None:
+                return found
+        return None
 
-    def _equal_in_cases(self, a: Tree, b: Tree, facts: Facts) -> bool:
+    def _equal_in_cases(self, a: Tree, b: Tree, facts: Facts) -> Facts | None:
         """Compare two trees for each relation of one pair of numbers, itself free of choices."""
         pairs = [pair for pair in a.pairs | b.pairs if not pair.pairs]
         if not pairs:
-            return False
+            return None
         pair = min(pairs, key=lambda each: each.rank)
-        return all(
-            self.equal(self._in_case(a, pair, place), self._in_case(b, pair, place), facts | {(pair, place)})
-            for place in range(1, 5)
-        )
+        cases = [(pair, place) for place in range(1, 5)]
+        found = self._all(self._in_case_reason(a, b, *case, facts | {case}) for case in cases)
+        return None if found is None else found.difference(cases)
+
+    def _all(self, reasons: Iterable[Facts | None]) -> Facts | None:
+        """Return all facts of reasons, or None if one of these is missing."""
+        found: Facts = frozenset()
+        for each in reasons:
+            if each is None:
+                return None
+            found |= each
+        return found
 
     def _in_case(self, tree: Any, pair: Tree, place: int) -> Any:
         """Return a tree where a pair of numbers stands in the relation at a place of its choices."""

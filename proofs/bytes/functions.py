@@ -34,6 +34,7 @@ class Signature:
 
     name: str
     parameters: tuple[Parameter, ...]
+    returns: bool
 
     @property
     def given(self) -> list[Parameter]:
@@ -69,7 +70,7 @@ class Source:
         return Number(self.trees, self.trees.constant(value))
 
     def run(self, function: Signature, rows: bool, branch: int) -> list[Tree]:
-        """Return the results of a function; of the form for rows, those of one row."""
+        """Return the results of a function, the returned integer last; of the form for rows, those of one row."""
         made = [Pointer.to([UNSET] * each.size) for each in function.made]
         waiting = iter(made)
         passed: list[Any] = [1] * rows
@@ -82,11 +83,11 @@ class Source:
             else:
                 passed += [next(waiting) if each.made else Pointer.to(numbers), *[1] * rows]
         try:
-            self.unit.call(function.name + "_rows" * rows, *passed)
+            returned = self.unit.call(function.name + "_rows" * rows, *passed)
         except CError as error:
             raise Declined(f"the text: {error}") from error
-        return [_tree(self.trees, pointer[place]) for pointer, each in zip(made, function.made, strict=True)
-                for place in range(each.size)]  # fmt: skip
+        found = [cells[place] for cells, each in zip(made, function.made, strict=True) for place in range(each.size)]
+        return [_tree(self.trees, each) for each in [*found, *[returned] * function.returns]]
 
 
 def _choose(condition: Any, one: Callable[[], Any], other: Callable[[], Any]) -> Any:
@@ -105,7 +106,8 @@ def _tree(trees: Trees, value: Any) -> Tree:
 
 
 def _signature(declaration: c_ast.Decl) -> Signature:
-    return Signature(declaration.name, tuple(_parameter(each) for each in declaration.type.args.params))
+    parameters = tuple(_parameter(each) for each in declaration.type.args.params)
+    return Signature(declaration.name, parameters, declaration.type.type.type.names != ["void"])
 
 
 def _parameter(node: c_ast.Decl) -> Parameter:

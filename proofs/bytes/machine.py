@@ -6,6 +6,7 @@ choices. The machine may read its arguments, its stack and constants; it may wri
 
 from __future__ import annotations
 
+import struct
 from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import partial
@@ -14,11 +15,13 @@ from typing import Any
 from .conditions import CONDITIONS
 from .memory import Memory
 from .program import EXIT, IDLE, Program
-from .trees import PATTERNS, Declined, Different, Tree, Trees, same
+from .trees import PATTERNS, TYPES, Declined, Different, Tree, Trees, same
 from .words import VECTOR, Words, known
 
 STACK, STACK_SIZE, BACK = 0x7FFF_FFFF_0000, 1 << 20, 0x7FFF_F000_0000
 BLOCKS = 300_000  # largest number of blocks that a call executes
+RED_ZONE = 128  # bytes below the stack of x86-64 that no signal changes
+REALS = {"Ity_F32": "float", "Ity_F64": "double"}
 LIBRARY = {"tan": 1, "atan2": 2, "expm1": 1, "log1p": 1, "sqrt": 1, "fabs": 1}
 """Functions of math.h with the number of their arguments; of these, only sqrt and fabs are known."""
 
@@ -29,17 +32,20 @@ class Convention:
 
     integers: tuple[str, ...]
     floats: tuple[str, ...]
+    result: str
     stack: str
     kept: tuple[str, ...]
     modes: Mapping[str, int]
     link: str = ""  # register of the return address; without one it lies on the stack
+    misread: tuple[str, ...] = ()  # operations of intermediate code that are not what the instruction computes
 
 
 CONVENTIONS = {
-    "AMD64": Convention(("rdi", "rsi", "rdx", "rcx", "r8", "r9"), tuple(f"xmm{n}lq" for n in range(8)), "rsp",
+    "AMD64": Convention(("rdi", "rsi", "rdx", "rcx", "r8", "r9"), tuple(f"xmm{n}lq" for n in range(8)), "rax", "rsp",
                         ("rbx", "rbp", "r12", "r13", "r14", "r15"), {"sseround": 0, "d": 1}),
-    "AARCH64": Convention(tuple(f"x{n}" for n in range(8)), tuple(f"d{n}" for n in range(8)), "xsp",
-                          (*(f"x{n}" for n in range(19, 30)), *(f"d{n}" for n in range(8, 16))), {"fpcr": 0}, "x30"),
+    "AARCH64": Convention(tuple(f"x{n}" for n in range(8)), tuple(f"d{n}" for n in range(8)), "x0", "xsp",
+                          (*(f"x{n}" for n in range(19, 30)), *(f"d{n}" for n in range(8, 16))), {"fpcr": 0}, "x30",
+                          ("Iop_Min", "Iop_Max")),
 }  # fmt: skip
 """Conventions of calls: System V for x86-64, and AArch64's."""
 
@@ -70,6 +76,7 @@ class Machine:
         self.words, self.convention = Words(self.trees), CONVENTIONS[self.program.architecture]
         self.places: Mapping[str, tuple[int, int]] = self.program.file.arch.registers
         self.stack = self.places[self.convention.stack][0]
+        self.modes = {self.places[each][0] for each in self.convention.modes}
         self.writable: Collection[int] = ()
         self.steps = 0
 
@@ -92,11 +99,11 @@ class Machine:
             state.memory.put(STACK + 8 * place, word, 8)
         state = self._function(state, self.program.functions[name], BACK, pushed=False)
         for each, word in kept.items():
-            if not same(self._get(state, each), word):
+            if not same(self.get(state, each), word):
                 raise Different(f"the register {each}, which belongs to the caller, is not restored")
         return state
 
-    def _get(self, state: State, name: str) -> Any:
+    def get(self, state: State, name: str) -> Any:
         return state.registers.take(*self.places[name])
 
     def _set(self, state: State, name: str, word: Any) -> None:
@@ -104,14 +111,14 @@ class Machine:
 
     def _function(self, state: State, start: int, back: int, pushed: bool) -> State:
         """Execute a function that goes back to an address; a call has pushed it on the stack already."""
-        top = known(self._get(state, self.convention.stack))
+        top = known(self.get(state, self.convention.stack))
         if self.convention.link:
             self._set(state, self.convention.link, back)
         elif not pushed:
             state.memory.put(top, back, 8)
         state, target = self._run(state, start, EXIT)
         after = top if self.convention.link else top + 8
-        if not same(target, back) or self._get(state, self.convention.stack) != after:
+        if not same(target, back) or self.get(state, self.convention.stack) != after:
             raise Different("the return address or the stack is not restored")
         return state
 
@@ -138,6 +145,8 @@ class Machine:
                 if block.jumpkind != "Ijk_Call":
                     return state, back
                 target = back
+            elif target not in self.program.targets(address):
+                raise Declined(f"a jump to an address that is computed, at {address:#x}")
             elif block.jumpkind == "Ijk_Call":
                 back = address + block.size
                 state = self._function(state, target, back, pushed=True)
@@ -150,26 +159,26 @@ class Machine:
     def _back(self, state: State) -> Any:
         """Return the return address as a function does at its end."""
         if self.convention.link:
-            return self._get(state, self.convention.link)
-        top = known(self._get(state, self.convention.stack))
+            return self.get(state, self.convention.link)
+        top = known(self.get(state, self.convention.stack))
         self._set(state, self.convention.stack, top + 8)
         return self.load(state, top, 8)
 
     def _library(self, state: State, name: str, called: bool) -> None:
         """Call a function of math.h, which may change every register that it does not keep."""
         own = self.convention
-        top = known(self._get(state, own.stack))
+        top = known(self.get(state, own.stack))
         if (top + (0 if own.link else 8)) & 15:
             raise Different(f"the stack is not aligned at a call of {name}")
         plain = name.removesuffix("f") if self.trees.unit == 4 else name
         if plain not in LIBRARY or (self.trees.unit == 4) != (plain != name):
             raise Declined(f"a call of {name}")
-        given = [self.trees.number(self.words.part(self._get(state, own.floats[place]), 0, self.trees.unit))
+        given = [self.trees.number(self.words.part(self.get(state, own.floats[place]), 0, self.trees.unit))
                  for place in range(LIBRARY[plain])]  # fmt: skip
         known_ = {"sqrt": self.trees.sqrt, "fabs": self.trees.absolute}
         made = known_[plain](*given) if plain in known_ else self.trees.call(plain, *given)
         kept = [*own.kept, own.stack, *own.modes, *([own.link] if own.link else ())]
-        words = {each: self._get(state, each) for each in kept}
+        words = {each: self.get(state, each) for each in kept}
         state.registers.clear()
         for each, word in words.items():
             self._set(state, each, word)
@@ -184,11 +193,11 @@ class Machine:
             return a
         if any(isinstance(word, Tree) and word.kind not in PATTERNS for word in (a, b)):
             a, b = self.trees.number(a), self.trees.number(b)
-        return self.trees.lift(lambda t: a if t else b, truth)
+        return self.trees.lift(lambda each: self.trees.select(each, a, b), truth)
 
     def _merged(self, truth: Tree, one: State, two: State) -> State:
         """Return the state after both sides of a jump."""
-        if not same(self._get(one, self.convention.stack), self._get(two, self.convention.stack)):
+        if not same(self.get(one, self.convention.stack), self.get(two, self.convention.stack)):
             raise Declined("the sides of a jump leave the stack at different depths")
         self._merge(truth, one.registers, two.registers)
         self._merge(truth, one.memory, two.memory)
@@ -205,25 +214,35 @@ class Machine:
         """Return the word at an address."""
         if isinstance(address, Tree):
             return self.trees.lift(lambda each: self.load(state, known(each), width), address)
-        if address - address % self.trees.unit not in state.memory and not STACK - STACK_SIZE <= address < STACK:
-            if (found := self.program.constant(address, width)) is None:
-                raise Different(f"an access to memory at {address:#x}, outside of arguments and results")
-            return found
-        return state.memory.take(address, width)
+        if self._on_stack(state, address, width) or all(each in state.memory for each in self._cells(address, width)):
+            return state.memory.take(address, width)
+        if (found := self.program.constant(address, width)) is None:
+            raise Different(f"an access to memory at {address:#x}, outside of arguments and results")
+        return found
 
     def store(self, state: State, address: Any, word: Any, width: int) -> None:
         address = known(address)
-        cells = range(address - address % self.trees.unit, address + width, self.trees.unit)
-        if not STACK - STACK_SIZE <= address < STACK and not all(each in self.writable for each in cells):
+        cells = self._cells(address, width)
+        if not self._on_stack(state, address, width) and not all(each in self.writable for each in cells):
             raise Different(f"a store outside of the results, at {address:#x}")
         state.memory.put(address, word, width)
+
+    def _cells(self, address: int, width: int) -> range:
+        return range(address - address % self.trees.unit, address + width, self.trees.unit)
+
+    def _on_stack(self, state: State, address: int, width: int) -> bool:
+        """Return whether bytes are those of the function and its calls: below the caller's, and not below the stack."""
+        if not STACK - STACK_SIZE <= address < STACK:
+            return False
+        lowest = known(state.registers.take(self.stack, 8)) - (0 if self.convention.link else RED_ZONE)
+        return lowest <= address and address + width <= STACK
 
     # --- blocks -------------------------------------------------------------------------------------------------------
 
     def _block(self, state: State, block: Any) -> tuple[tuple[Tree, State, int] | None, Any]:
         """Execute a block; return the other side of a jump that depends on numbers, and the address after the block."""
         if block.addr not in self.blocks:
-            statements = [self._statement(each, block.tyenv) for each in block.statements]
+            statements = [self._statement(each, block) for each in block.statements]
             after = self._expression(block.next, block.tyenv)
             self.blocks[block.addr] = [each for each in statements if each is not None], after
         statements, after = self.blocks[block.addr]
@@ -238,11 +257,13 @@ class Machine:
                 sides = made
         return sides, after(state, values)
 
-    def _statement(self, each: Any, types: Any) -> Callable[[State, list[Any]], Any] | None:
+    def _statement(self, each: Any, block: Any) -> Callable[[State, list[Any]], Any] | None:
         """Return a statement as a function; that of a jump returns its address, or the other side."""
-        tag = each.tag
+        tag, types = each.tag, block.tyenv
         if tag in IDLE:
             return None
+        if tag == "Ist_Exit" and each.jk == "Ijk_SigSEGV":
+            return self._alignment(each, block)
         if tag == "Ist_Exit":
             return self._exit(each, self._expression(each.guard, types))
         if tag not in ("Ist_WrTmp", "Ist_Put", "Ist_Store"):
@@ -254,6 +275,8 @@ class Machine:
         width = each.data.result_size(types) // 8
         if tag == "Ist_Put":
             offset = each.offset
+            if offset in self.modes:
+                raise Declined("an instruction sets a mode of the machine, as that of rounding")
             return lambda state, values: state.registers.put(offset, value(state, values), width)
         address = self._expression(each.addr, types)
         return lambda state, values: self.store(state, address(state, values), value(state, values), width)
@@ -266,10 +289,24 @@ class Machine:
             if isinstance(truth, Tree) and jumps:
                 return truth, state.copy(), target
             if known(truth) and not jumps:
-                raise Different("memory is not aligned")
+                raise Different(f"a fault of the kind {each.jk}")
             return target if truth else None
 
         return leave
+
+    def _alignment(self, each: Any, block: Any) -> Callable[[State, list[Any]], Any]:
+        """Return the test of an address that must be a multiple of 16 or 32; of arrays, no address need be."""
+        made = {other.tmp: other.data for other in block.statements if other.tag == "Ist_WrTmp"}
+        masked = made[made[each.guard.tmp].args[0].tmp]  # address & mask != 0
+        guard, place = (self._expression(other, block.tyenv) for other in (each.guard, masked.args[0]))
+
+        def test(state: State, values: list[Any]) -> None:
+            address = known(place(state, values))
+            fixed = address >= STACK - STACK_SIZE or self.program.file.contains_addr(address)
+            if known(guard(state, values)) or not fixed:
+                raise Different(f"an access to memory at {address:#x}, which need not be aligned")
+
+        return test
 
     def _expression(self, each: Any, types: Any) -> Callable[[State, list[Any]], Any]:
         """Return an expression as a function of the state and of values that the block has computed."""
@@ -289,8 +326,10 @@ class Machine:
             return lambda state, values: self.load(state, address(state, values), width)
         if tag == "Iex_ITE":
             given = [self._expression(other, types) for other in (each.cond, each.iftrue, each.iffalse)]
-            function: Callable[..., Any] = partial(self.trees.lift, _chosen)
+            function: Callable[..., Any] = partial(self.trees.lift, self.trees.select)
         elif tag in ("Iex_Unop", "Iex_Binop", "Iex_Triop", "Iex_Qop"):
+            if each.op.startswith(self.convention.misread):
+                raise Declined(f"an instruction whose intermediate code is not exact: {each.op}")
             given = [self._expression(other, types) for other in each.args]
             function = words.operation(each.op)
         elif tag == "Iex_CCall" and each.cee.name in CONDITIONS:
@@ -304,10 +343,7 @@ class Machine:
         value, type_ = constant.value, constant.type
         if type_ in ("Ity_V128", "Ity_V256"):  # a bit for each byte
             return sum(0xFF << 8 * place for place in range(VECTOR[type_[4:]]) if value >> place & 1)
-        if type_ in ("Ity_F32", "Ity_F64") and not isinstance(value, int):
-            return self.trees.pattern(self.trees.constant(value))
+        if type_ in REALS and not isinstance(value, int):
+            _, code, pattern = TYPES[REALS[type_]]
+            return struct.unpack(pattern, struct.pack(code, value))[0]
         return value
-
-
-def _chosen(truth: Any, one: Any, other: Any) -> Any:
-    return one if truth else other

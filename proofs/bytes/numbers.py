@@ -76,5 +76,5 @@ class Truth:
         """Return the one number or truth, or the other."""
         sides = [each.value if isinstance(each, Truth) else each.tree if isinstance(each, Number)
                  else self.trees.constant(each) for each in (one, other)]  # fmt: skip
-        made = self.trees.lift(lambda truth, a, b: a if truth else b, self.value, *sides)
+        made = self.trees.lift(self.trees.select, self.value, *sides)
         return Truth(self.trees, made) if isinstance(one, Truth) else Number(self.trees, made)

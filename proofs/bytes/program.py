@@ -15,8 +15,10 @@ from .trees import Declined, Different
 
 IDLE = ("Ist_IMark", "Ist_AbiHint", "Ist_NoOp")  # statements without effect
 EXIT = -1  # where a function returns, in its graph
-FUSED = ((0xBF20FC00, 0x0E20CC00), (0xBF80B400, 0x0F801000), (0xFF000000, 0x1F000000))
+FUSED = ((0xBF20FC00, 0x0E20CC00), (0xAF80B400, 0x0F801000), (0xFF000000, 0x1F000000))
 """Masks and values of AArch64's fused operations, which the translation to intermediate code rounds twice."""
+EXTENDED = ((0xAFA0FC00, 0x0E20DC00), (0xAF80F400, 0x2F809000))
+"""Masks and values of AArch64's fmulx, which the translation takes for a product; 0 times infinity is 2."""
 BYTES = 256  # a block ends before an address that is a multiple of this: blocks from different starts fall together
 
 
@@ -89,6 +91,8 @@ class Program:
             word = int.from_bytes(self.memory.load(place, 4), "little")
             if any(word & mask == value for mask, value in FUSED):
                 raise Different(f"{place:#x}: a fused multiply-add rounds once where the text rounds twice")
+            if any(word & mask == value for mask, value in EXTENDED):
+                raise Declined(f"{place:#x}: fmulx, whose intermediate code is not exact")
 
     def _lifted(self, address: int, size: int, count: int | None = None) -> Any:
         code = self.memory.load(address, size)

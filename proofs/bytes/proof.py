@@ -11,8 +11,11 @@ from .functions import Signature, Source, given
 from .machine import Machine
 from .program import Program
 from .trees import Declined, Different, Tree
+from .words import known, signed
 
 ROWS, MORE_ROWS = (0, 1, 2, 3), (4, 8, 9, 17, 35, 67)
+APART = 1 << 42  # bytes from an array to the next one, also where strides exceed 32 bits
+UPPER = 0x5A5A_5A5A << 32  # half of a register that a branch does not define
 BRANCHES, ROW_BRANCHES = range(-9, 10), (0, 1, -1)
 EQUAL, DIFFERENT, DECLINED = "equal", "different", "declined"
 
@@ -78,11 +81,11 @@ class Proof:
         """Return the results of each row."""
         trees, unit = self.source.trees, self.source.trees.unit
         integers, floats, memory = [count] * rows, list[Tree](), dict[int, Tree]()
-        results, base = [list[int]() for _ in range(count)], 0x10_0000
+        results, base = [list[int]() for _ in range(count)], APART
         for place, each in enumerate(function.parameters):
-            stride = count + place + 1 if rows else 1
+            stride = (count + 1) * (place + 2) + (count % 2 << 32) if rows else 1
             if not each.size:
-                integers.append(branch & 0xFFFF_FFFF)
+                integers.append(branch & 0xFFFF_FFFF | UPPER)
             elif each.single and not rows:
                 floats.append(given(trees, each, 0))
             else:
@@ -93,12 +96,17 @@ class Proof:
                         results[row] += cells
                     else:
                         memory |= {cell: given(trees, each, i, row) for i, cell in enumerate(cells)}
-                base += 0x10_0000
+                base += APART
         state = self.machine.call(name, integers, floats, memory, {cell for row in results for cell in row})
-        return [[trees.number(state.memory[cell]) for cell in row] for row in results]
+        made = [[trees.number(state.memory[cell]) for cell in row] for row in results]
+        if function.returns:
+            word = self.machine.words.part(self.machine.get(state, self.machine.convention.result), 0, 4)
+            made[0].append(trees.constant(signed(known(word), 4)))
+        return made
 
     def _compare(self, function: Signature, text: Sequence[Tree], made: Sequence[Tree], where: str) -> None:
-        places = (f"{each.name}[{place}]" for each in function.made for place in range(each.size))
+        places = [f"{each.name}[{place}]" for each in function.made for place in range(each.size)]
+        places += ["the returned integer"] * function.returns
         for place, wanted, found in zip(places, text, made, strict=True):
             if found is self.source.trees.unset:
                 raise Different(f"{place}{where} is not stored")

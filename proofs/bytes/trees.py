@@ -58,7 +58,8 @@ class Tree:
             return " ".join([self.kind, *map(str, self.parts)])
         if not depth:
             return "…"
-        parts = (part.text(depth - 1) if isinstance(part, Tree) else str(part) for part in self.parts)
+        flat = [each for part in self.parts for each in (part if isinstance(part, tuple) else (part,))]
+        parts = (part.text(depth - 1) if isinstance(part, Tree) else str(part) for part in flat)
         return f"{self.kind}({', '.join(parts)})"
 
 
@@ -231,6 +232,10 @@ class Trees:
                 known[given] = self.lift(function, *given)
             made.append(known[given])
         return self._choice(pair, made)
+
+    def select(self, truth: Any, one: Any, other: Any) -> Any:
+        """Return the one value or the other by a truth, or unset if that is not known."""
+        return self.unset if isinstance(truth, Tree) else one if truth else other
 
     def number(self, value: Any) -> Tree:
         """Return a value as a number: a pattern of bits is a constant."""

@@ -91,13 +91,14 @@ class Words:
             for word, width in reversed(parts):
                 made = made << 8 * width | word
             return made
-        if not any(width % self.unit for _, width in parts):
-            cells = [cell for word, width in parts for cell in self.cells(word, width)]
-            return tuple(cells)
-        if any(isinstance(word, Tree) and word.kind == "choice" for word, _ in parts):
+        whole = not any(width % self.unit for _, width in parts)
+        chosen = any(isinstance(word, Tree) and word.kind == "choice" for word, _ in parts)
+        if chosen and (not whole or sum(width for _, width in parts) == 8):  # an integer, as a result of a comparison
             widths = [width for _, width in parts]
             return self.trees.lift(lambda *words: self.joined(*zip(words, widths, strict=True)),
                                    *(word for word, _ in parts))  # fmt: skip
+        if whole:
+            return tuple(cell for word, width in parts for cell in self.cells(word, width))
         merged = list[tuple[Any, int]]()
         for word, width in parts:
             for piece, size in word.parts if isinstance(word, Tree) and word.kind == "joined" else [(word, width)]:
@@ -160,7 +161,7 @@ class Words:
             return trees.choose(given[0], given[1], values)
         if kind in ("Min", "Max"):
             truth = trees.test(given[0], given[1], frozenset({"less" if kind == "Min" else "greater"}))
-            return trees.lift(lambda t, a, b: a if t else b, truth, *given)
+            return trees.lift(trees.select, truth, *given)
         names = {"Neg": "negated", "Abs": "absolute"}
         return getattr(trees, names.get(kind, kind.lower()))(*given)
 
@@ -168,6 +169,7 @@ class Words:
         raise Different("a fused multiply-add rounds once where the text rounds twice")
 
     def _widened(self, name: str, groups: tuple[str, ...], word: Any) -> Any:
+        (word,) = self._rounded(name, "32", (word,), 1)
         return self.trees.make("widened", self.trees.number(word))
 
     def _compared(self, name: str, groups: tuple[str, ...], *words: Any) -> Any:
@@ -189,8 +191,10 @@ class Words:
         width = VECTOR.get(type_) or int(type_) / 8
         if kind == "Not":
             kind, words = "Xor", (*words, (1 << int(8 * width)) - 1)
-        if width < self.unit:
+        if width < self.unit or all(isinstance(word, int) for word in words):
             return self.trees.lift(partial(self._bits, kind, int(width)), *words)
+        if type_ not in VECTOR and any(isinstance(word, Tree) and word.kind == "choice" for word in words):
+            return self.trees.lift(partial(self._bitwise, name, (kind, type_)), *words)
         lanes = zip(*(self.cells(word, int(width)) for word in words), strict=True)
         made = (self.trees.lift(partial(self._bits, kind, self.unit), *pair) for pair in lanes)
         return self.joined(*((cell, self.unit) for cell in made))
@@ -201,7 +205,7 @@ class Words:
         if isinstance(a, int) and isinstance(b, int):
             return BITWISE[kind](a, b)
         if a is b:
-            return 0 if kind == "Xor" else a
+            return 0 if kind == "Xor" and a is not trees.unset else a
         if any(isinstance(word, Tree) and word.kind == "joined" for word in (a, b)):
             bytes_ = ((self.part(a, place, 1), self.part(b, place, 1)) for place in range(width))
             return self.joined(*((self._bits(kind, 1, *pair), 1) for pair in bytes_))
@@ -240,6 +244,17 @@ class Words:
 
         return leaf(a, b) if isinstance(a, int) and isinstance(b, int) else self.trees.lift(leaf, a, b)
 
+    def _divided(self, name: str, groups: tuple[str, ...], a: Any, b: Any) -> Any:
+        """Return a quotient of integers, with the remainder above it where the operation has both."""
+        both, width = groups[0] != "S", int(groups[1]) // 8
+
+        def leaf(x: Any, y: Any) -> int:
+            x, y = signed(known(x), 8 if both else width), signed(known(y), width)
+            quotient = abs(x) // abs(y) * (1 if (x < 0) == (y < 0) else -1) if y else 0
+            return quotient & ones(width) | ((x - quotient * y & ones(width)) << 8 * width if both else 0)
+
+        return self.trees.lift(leaf, a, b)
+
     def _shifted(self, name: str, groups: tuple[str, ...], word: Any, count: int) -> Any:
         """Shift the bits in each lane of a vector of patterns, such as those of comparisons."""
         kind, bits, lanes = groups
@@ -266,6 +281,11 @@ class Words:
 
     def _wider(self, word: Any, width: int, wide: int) -> Any:
         return self.joined((word, width), *((0, step) for step in self._steps(width, wide)))
+
+    def _cut(self, name: str, groups: tuple[str, ...], word: Any) -> Any:
+        """Return a vector with zeros in place of its highest bits."""
+        width = 16 - int(groups[0]) // 8
+        return self._wider(self.part(word, 0, width), width, 16)
 
     def _steps(self, width: int, wide: int) -> list[int]:
         """Return the widths of zeros that fill a word: first up to a whole number, then by numbers."""
@@ -302,9 +322,11 @@ TABLE = (
     (r"I(32|64)StoF(32|64)", "_number"),
     (r"(And|Or|Xor|Not)(V128|V256|\d+)", "_bitwise"),
     (r"(Add|Sub|Mul|Shl|Shr|Sar|Cmp(?:EQ|NE|LT|LE))(8|16|32|64)([US]?)", "_integer"),
+    (r"Div(ModS64to|S)(32|64)", "_divided"),
     (r"(Shl|Shr|Sar)N(\d+)x(\d+)", "_shifted"),
     (r"(?:\d+|V128|V256)(HI)?to(\d+|V128)(?:_(\d))?", "_part"),
     (r"(\d+)([US])to(\d+|V128)", "_extended"),
+    (r"ZeroHI(\d+)ofV128", "_cut"),
     (r"(\d+|V128)HLto(?:\w+)|(\d+)x4toV256", "_pair"),
     (r"SetV128lo(32|64)", "_low"),
     (r"Interleave(LO|HI)(\d+)x(\d+)", "_interleaved"),
