@@ -16,7 +16,7 @@ from .conditions import CONDITIONS
 from .memory import Memory
 from .program import EXIT, IDLE, Program
 from .trees import PATTERNS, TYPES, Declined, Different, Tree, Trees, same
-from .words import VECTOR, Words, known
+from .words import Words, known
 
 STACK, STACK_SIZE, BACK = 0x7FFF_FFFF_0000, 1 << 20, 0x7FFF_F000_0000
 BLOCKS = 300_000  # largest number of blocks that a call executes
@@ -341,8 +341,6 @@ class Machine:
 
     def _constant(self, constant: Any) -> Any:
         value, type_ = constant.value, constant.type
-        if type_ in ("Ity_V128", "Ity_V256"):  # a bit for each byte
-            return sum(0xFF << 8 * place for place in range(VECTOR[type_[4:]]) if value >> place & 1)
         if type_ in REALS and not isinstance(value, int):
             _, code, pattern = TYPES[REALS[type_]]
             return struct.unpack(pattern, struct.pack(code, value))[0]
