@@ -4,7 +4,7 @@ Each public function of a chart is compiled, its machine code is executed on sym
 those of the emitted text: equal trees of rounded operations give equal bits for all arguments. Integers are not
 symbols: arrays lie apart; a batch has 0 to 3 rows, and more until each instruction was executed; a branch
 has the values -9 to 9, in a batch -1 to 1. The text of a batch is read for one row. Functions of math.h are any
-functions. Machine code of x86-64, with AVX too, and of AArch64 is translated by pyvex, whose translation is trusted.
+functions. Machine code of x86-64 and AArch64 is translated by pyvex, whose translation is trusted.
 
 The exit code is 1 if a function differs, 2 if a file is no machine code or no function is found, 3 if a compiler or the
 library cle is missing.

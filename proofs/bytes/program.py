@@ -6,6 +6,7 @@ The library cle loads a file and pyvex translates its instructions; both come wi
 from __future__ import annotations
 
 import logging
+import re
 from functools import cached_property
 from pathlib import Path
 from typing import Any
@@ -120,7 +121,17 @@ class Program:
                 continue
             found.add(address)
             waiting += [*self.follow(address), *self.targets(address)]
+        self._refuse_wide(found)
         return set[int]().union(*(self.instructions[each] for each in found if not self._jumps_alone(each)))
+
+    def _refuse_wide(self, blocks: set[int]) -> None:
+        """Raise for fused operations and for AVX, of which pyvex misreads a move between registers."""
+        halves = {place for name, (place, _) in self.file.arch.registers.items() if re.fullmatch(r"ymm\d+hx", name)}
+        every = [each for address in blocks for each in self.block(address).statements]
+        if any(re.match(r"Iop_N?M(Add|Sub)", getattr(part, "op", "")) for each in every for part in each.expressions):
+            raise Different("a fused multiply-add rounds once where the text rounds twice")
+        if any(each.tag == "Ist_Put" and each.offset in halves for each in every):
+            raise Declined("instructions of AVX")
 
     def _jumps_alone(self, address: int) -> bool:
         """Return whether a block is a jump and nothing else; a compiler may leave one that no way takes."""
