@@ -27,7 +27,8 @@ def read(name: str) -> str:
     return (pages.ROOT / name).read_text(encoding="utf-8")
 
 
-ROWS = dict(re.findall(r"^\| (speed|accuracy|proofs|papers|formulas in use) \| (.+?) \| ", read("README.md"), re.M))
+NAMES = "speed|accuracy|proofs|bytes|papers|formulas in use"
+ROWS = dict(re.findall(rf"^\| ({NAMES}) \| (.+?) \| ", read("README.md"), re.M))
 
 
 def numbers(text: str) -> list[str]:
@@ -48,7 +49,9 @@ def measured() -> dict[str, tuple[str, ...]]:
     in_use = read("docs/field.md")
     documents = set(re.findall(r"^\| \[.+?\]\(#in-(\S+)\) \|", in_use, re.M)) - {*COLLECTIONS}
     field = re.findall(r"^\| all \| (\d+) \| \d+ \| \d+ \| \d+ \| (\d+) \|", in_use, re.M)[0]
+    machine = re.findall(r"^\| all \|  \|  \| (\d+) \| (\d+) \| 0 \| (\d+) \|$", read("docs/assurance.md"), re.M)
     return {
+        "bytes": (machine[0][1], machine[0][0], machine[0][2]),
         "speed": (*numbers(speed.figures(times.read())),),
         "accuracy": accuracy.groups(),
         "proofs": (*map(str, of_scope), str(controls)),
@@ -57,7 +60,7 @@ def measured() -> dict[str, tuple[str, ...]]:
     }
 
 
-@pytest.mark.parametrize("row", ["speed", "accuracy", "proofs", "papers", "formulas in use"])
+@pytest.mark.parametrize("row", NAMES.split("|"))
 def test_figures_agree_with_the_pages(row: str) -> None:
     assert numbers(ROWS[row]) == [*measured()[row]]
 

@@ -6,22 +6,19 @@ choices. The machine may read its arguments, its stack and constants; it may wri
 
 from __future__ import annotations
 
-import struct
-from collections.abc import Callable, Collection, Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, field
-from functools import partial
 from typing import Any
 
-from .conditions import CONDITIONS
 from .memory import Memory
-from .program import EXIT, IDLE, Program
-from .trees import PATTERNS, TYPES, Declined, Different, Tree, Trees, same
+from .program import EXIT, Program
+from .translation import Translation
+from .trees import PATTERNS, Declined, Different, Tree, Trees, same
 from .words import Words, known
 
 STACK, STACK_SIZE, BACK = 0x7FFF_FFFF_0000, 1 << 20, 0x7FFF_F000_0000
 BLOCKS = 300_000  # largest number of blocks that a call executes
 RED_ZONE = 128  # bytes below the stack of x86-64 that no signal changes
-REALS = {"Ity_F32": "float", "Ity_F64": "double"}
 LIBRARY = {"tan": 1, "atan2": 2, "expm1": 1, "log1p": 1, "sqrt": 1, "fabs": 1}
 """Functions of math.h with the number of their arguments; of these, only sqrt and fabs are known."""
 
@@ -77,6 +74,7 @@ class Machine:
         self.places: Mapping[str, tuple[int, int]] = self.program.file.arch.registers
         self.stack = self.places[self.convention.stack][0]
         self.modes = {self.places[each][0] for each in self.convention.modes}
+        self.translation = Translation(self)
         self.writable: Collection[int] = ()
         self.steps = 0
 
@@ -140,7 +138,7 @@ class Machine:
             elif block.jumpkind == "Ijk_Ret":
                 return state, target
             elif library := self.program.library(known(target)):
-                self._library(state, library, called=block.jumpkind == "Ijk_Call")
+                self._library(state, library)
                 back = self._back(state)
                 if block.jumpkind != "Ijk_Call":
                     return state, back
@@ -164,7 +162,7 @@ class Machine:
         self._set(state, self.convention.stack, top + 8)
         return self.load(state, top, 8)
 
-    def _library(self, state: State, name: str, called: bool) -> None:
+    def _library(self, state: State, name: str) -> None:
         """Call a function of math.h, which may change every register that it does not keep."""
         own = self.convention
         top = known(self.get(state, own.stack))
@@ -237,13 +235,17 @@ class Machine:
         lowest = known(state.registers.take(self.stack, 8)) - (0 if self.convention.link else RED_ZONE)
         return lowest <= address and address + width <= STACK
 
+    def fixed(self, address: int) -> bool:
+        """Return whether an address is known to a multiple of 16: on the stack, or of a constant."""
+        return address >= STACK - STACK_SIZE or bool(self.program.file.contains_addr(address))
+
     # --- blocks -------------------------------------------------------------------------------------------------------
 
     def _block(self, state: State, block: Any) -> tuple[tuple[Tree, State, int] | None, Any]:
         """Execute a block; return the other side of a jump that depends on numbers, and the address after the block."""
         if block.addr not in self.blocks:
-            statements = [self._statement(each, block) for each in block.statements]
-            after = self._expression(block.next, block.tyenv)
+            statements = [self.translation.statement(each, block) for each in block.statements]
+            after = self.translation.expression(block.next, block.tyenv)
             self.blocks[block.addr] = [each for each in statements if each is not None], after
         statements, after = self.blocks[block.addr]
         values: list[Any] = [None] * len(block.tyenv.types)
@@ -256,92 +258,3 @@ class Machine:
                     raise Declined("two jumps of a block depend on numbers")
                 sides = made
         return sides, after(state, values)
-
-    def _statement(self, each: Any, block: Any) -> Callable[[State, list[Any]], Any] | None:
-        """Return a statement as a function; that of a jump returns its address, or the other side."""
-        tag, types = each.tag, block.tyenv
-        if tag in IDLE:
-            return None
-        if tag == "Ist_Exit" and each.jk == "Ijk_SigSEGV":
-            return self._alignment(each, block)
-        if tag == "Ist_Exit":
-            return self._exit(each, self._expression(each.guard, types))
-        if tag not in ("Ist_WrTmp", "Ist_Put", "Ist_Store"):
-            raise Declined(f"no statement that is known: {each}")
-        value = self._expression(each.data, types)
-        if tag == "Ist_WrTmp":
-            place = each.tmp
-            return lambda state, values: values.__setitem__(place, value(state, values))
-        width = each.data.result_size(types) // 8
-        if tag == "Ist_Put":
-            offset = each.offset
-            if offset in self.modes:
-                raise Declined("an instruction sets a mode of the machine, as that of rounding")
-            return lambda state, values: state.registers.put(offset, value(state, values), width)
-        address = self._expression(each.addr, types)
-        return lambda state, values: self.store(state, address(state, values), value(state, values), width)
-
-    def _exit(self, each: Any, guard: Callable[[State, list[Any]], Any]) -> Callable[[State, list[Any]], Any]:
-        target, jumps = each.dst.value, each.jk == "Ijk_Boring"
-
-        def leave(state: State, values: list[Any]) -> Any:
-            truth = guard(state, values)
-            if isinstance(truth, Tree) and jumps:
-                return truth, state.copy(), target
-            if known(truth) and not jumps:
-                raise Different(f"a fault of the kind {each.jk}")
-            return target if truth else None
-
-        return leave
-
-    def _alignment(self, each: Any, block: Any) -> Callable[[State, list[Any]], Any]:
-        """Return the test of an address that must be a multiple of 16 or 32; of arrays, no address need be."""
-        made = {other.tmp: other.data for other in block.statements if other.tag == "Ist_WrTmp"}
-        masked = made[made[each.guard.tmp].args[0].tmp]  # address & mask != 0
-        guard, place = (self._expression(other, block.tyenv) for other in (each.guard, masked.args[0]))
-
-        def test(state: State, values: list[Any]) -> None:
-            address = known(place(state, values))
-            fixed = address >= STACK - STACK_SIZE or self.program.file.contains_addr(address)
-            if known(guard(state, values)) or not fixed:
-                raise Different(f"an access to memory at {address:#x}, which need not be aligned")
-
-        return test
-
-    def _expression(self, each: Any, types: Any) -> Callable[[State, list[Any]], Any]:
-        """Return an expression as a function of the state and of values that the block has computed."""
-        words, tag = self.words, each.tag
-        if tag == "Iex_RdTmp":
-            place = each.tmp
-            return lambda state, values: values[place]
-        if tag == "Iex_Const":
-            constant = self._constant(each.con)
-            return lambda state, values: constant
-        width = 0 if tag == "Iex_CCall" else each.result_size(types) // 8
-        if tag == "Iex_Get":
-            offset = each.offset
-            return lambda state, values: state.registers.take(offset, width)
-        if tag == "Iex_Load":
-            address = self._expression(each.addr, types)
-            return lambda state, values: self.load(state, address(state, values), width)
-        if tag == "Iex_ITE":
-            given = [self._expression(other, types) for other in (each.cond, each.iftrue, each.iffalse)]
-            function: Callable[..., Any] = partial(self.trees.lift, self.trees.select)
-        elif tag in ("Iex_Unop", "Iex_Binop", "Iex_Triop", "Iex_Qop"):
-            if each.op.startswith(self.convention.misread):
-                raise Declined(f"an instruction whose intermediate code is not exact: {each.op}")
-            given = [self._expression(other, types) for other in each.args]
-            function = words.operation(each.op)
-        elif tag == "Iex_CCall" and each.cee.name in CONDITIONS:
-            given = [self._expression(other, types) for other in each.args]
-            function = partial(self.trees.lift, CONDITIONS[each.cee.name])
-        else:
-            raise Declined(f"no expression that is known: {each}")
-        return lambda state, values: function(*[other(state, values) for other in given])
-
-    def _constant(self, constant: Any) -> Any:
-        value, type_ = constant.value, constant.type
-        if type_ in REALS and not isinstance(value, int):
-            _, code, pattern = TYPES[REALS[type_]]
-            return struct.unpack(pattern, struct.pack(code, value))[0]
-        return value
