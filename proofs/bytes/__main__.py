@@ -19,6 +19,7 @@ import shutil
 import sys
 from collections import Counter
 from collections.abc import Sequence
+from itertools import product
 from pathlib import Path
 
 from derive.output import files
@@ -32,7 +33,7 @@ from .trees import TYPES, Trees
 
 SECONDS = 600  # of processor time for a compiler
 FLAGS = "-std=c99 -O2 -ffp-contract=off"
-HEAD = ("compiler", "chart", "type", "functions", EQUAL, DIFFERENT, DECLINED)
+HEAD = ("chart", "type", "compiler", "functions", EQUAL, DIFFERENT, DECLINED)
 MARK = "<!-- bytes -->"
 
 
@@ -91,15 +92,15 @@ def main(arguments: Sequence[str] | None = None) -> int:
     lines, reasons, total = [row(*HEAD), row(*["---"] * len(HEAD))], list[str](), list[Verdict]()
     print(*lines, sep="\n")
     try:
-        for compiler in chosen.cc or [os.environ.get("CC", "gcc")]:
-            for chart in chosen.chart or charts(chosen.folder):
-                for real in chosen.real or TYPES:
-                    found = _proved(chosen, compiler, chart, real)
-                    total += found
-                    lines.append(row(compiler, chart, real, *counts(found)))
-                    print(lines[-1], flush=True)
-                    where = f"{compiler}, {real}"
-                    reasons += [f"{where}, {each.name}: {each.verdict}: {each.reason}" for each in found if each.reason]
+        for chart, real in product(chosen.chart or charts(chosen.folder), chosen.real or TYPES):
+            source = Source(chosen.folder, chart, Trees(real))
+            for compiler in chosen.cc or [os.environ.get("CC", "gcc")]:
+                found = _proved(chosen, source, compiler, real)
+                total += found
+                lines.append(row(chart, real, compiler, *counts(found)))
+                print(lines[-1], flush=True)
+                where = f"{compiler}, {real}"
+                reasons += [f"{where}, {each.name}: {each.verdict}: {each.reason}" for each in found if each.reason]
         if not total:
             raise MachineError(f"{chosen.folder}: no header with a function whose name contains {chosen.function!r}", 2)
         lines.append(row("all", "", "", *counts(total)))
@@ -112,8 +113,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     return any(each.verdict == DIFFERENT for each in total)
 
 
-def _proved(chosen: argparse.Namespace, compiler: str, chart: str, real: str) -> list[Verdict]:
-    source = Source(chosen.folder, chart, Trees(real))
+def _proved(chosen: argparse.Namespace, source: Source, compiler: str, real: str) -> list[Verdict]:
     with scratch() as build:
         command = [*shlex.split(compiler), *shlex.split(chosen.flags)]
         file = chosen.disassembly or compiled(chosen.folder, source, real, command, build)

@@ -12,7 +12,7 @@ import numpy as np
 from .trees import CHOICES, LEAVES, RELATIONS, Declined, Tree, Trees, same, unsigned
 
 SCALES = np.array([1.0, 1.0, 0.1, 3.0, 1e-4, 10.0, 0.0, 1e-9])  # of samples
-COMPARISONS = 30_000  # largest number of pairs of trees that are compared for a function
+REBUILT = 300_000  # largest number of trees that are made anew for cases of a function
 Facts = frozenset[tuple[Tree, int]]
 """Pairs of numbers whose relation is known, by its place."""
 
@@ -24,7 +24,7 @@ class Equality:
         self.trees = trees
         self.reasons = dict[tuple[Tree, Tree], list[Facts]]()
         self.refused = set[tuple[Tree, Tree, Facts]]()
-        self.compared = 0
+        self.rebuilt = 0
         self.cases = dict[tuple[Tree, int], dict[Tree, Any]]()
         self.samples = dict[Tree, Any]()
 
@@ -45,9 +45,6 @@ class Equality:
                 return reason
         if (a, b, facts) in self.refused:
             return None
-        self.compared += 1
-        if self.compared > COMPARISONS:
-            raise Declined(f"more than {COMPARISONS} comparisons of trees")
         found = None
         if self.alike_at_samples(a, b, facts):
             found = self._alike(a, b, facts)
@@ -142,6 +139,9 @@ class Equality:
             if not isinstance(each, Tree) or each.kind in LEAVES:
                 return done.get(each, each) if isinstance(each, Tree) else each
             if each not in done:
+                self.rebuilt += 1
+                if self.rebuilt > REBUILT:
+                    raise Declined(f"cases with more than {REBUILT} trees")
                 made = each if each.kind in CHOICES and each.parts[0] is pair else self.trees.rebuilt(each, walk)
                 chosen = isinstance(made, Tree) and made.kind in CHOICES and made.parts[0] is pair
                 done[each] = walk(made.parts[place]) if chosen else made

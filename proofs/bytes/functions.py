@@ -55,6 +55,7 @@ class Source:
     def __init__(self, folder: Path, chart: str, trees: Trees) -> None:
         files = [f"{chart}.h", *(f"rotation/{chart}.h" for _ in [0] if (folder / "rotation" / f"{chart}.h").is_file())]
         self.text, self.trees = "".join(f'#include "{name}"\n' for name in files), trees
+        self.found: dict[tuple[Signature, bool, int], list[Tree]] = {}
         try:
             self.unit = load(self.text, folder, {"DUALCAY_FUNCTION": ""}, constant=self._constant, choose=_choose)
         except (CError, OSError) as error:
@@ -69,8 +70,13 @@ class Source:
             return Number(self.trees, self.trees.number(self.trees.lift(self.trees.constant, value.value)))
         return Number(self.trees, self.trees.constant(value))
 
-    def run(self, function: Signature, rows: bool, branch: int) -> list[Tree]:
+    def results(self, function: Signature, rows: bool, branch: int) -> list[Tree]:
         """Return the results of a function, the returned integer last; of the form for rows, those of one row."""
+        if (function, rows, branch) not in self.found:
+            self.found[function, rows, branch] = self._run(function, rows, branch)
+        return self.found[function, rows, branch]
+
+    def _run(self, function: Signature, rows: bool, branch: int) -> list[Tree]:
         made = [Pointer.to([UNSET] * each.size) for each in function.made]
         waiting = iter(made)
         passed: list[Any] = [1] * rows

@@ -11,10 +11,11 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from .memory import Memory
+from .operations import Operations
 from .program import EXIT, Program
 from .translation import Translation
 from .trees import PATTERNS, Declined, Different, Tree, Trees, same
-from .words import Words, known
+from .words import known
 
 STACK, STACK_SIZE, BACK = 0x7FFF_FFFF_0000, 1 << 20, 0x7FFF_F000_0000
 BLOCKS = 300_000  # largest number of blocks that a call executes
@@ -70,7 +71,7 @@ class Machine:
     def __post_init__(self) -> None:
         if self.program.architecture not in CONVENTIONS:
             raise Declined(f"machine code of {self.program.architecture}")
-        self.words, self.convention = Words(self.trees), CONVENTIONS[self.program.architecture]
+        self.words, self.convention = Operations(self.trees), CONVENTIONS[self.program.architecture]
         self.places: Mapping[str, tuple[int, int]] = self.program.file.arch.registers
         self.stack = self.places[self.convention.stack][0]
         self.modes = {self.places[each][0] for each in self.convention.modes}

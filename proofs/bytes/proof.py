@@ -65,7 +65,7 @@ class Proof:
         machine, trees = self.machine, self.source.trees
         machine.executed.clear()
         branches: Iterable[int] = (ROW_BRANCHES if rows else BRANCHES) if function.branched else (0,)
-        texts = {branch: self.source.run(function, rows, branch) for branch in branches}
+        texts = {branch: self.source.results(function, rows, branch) for branch in branches}
         reached, done = self.program.reached(self.program.functions[name]), dict[tuple[Tree, int], Any]()
         for count in (*ROWS, *MORE_ROWS) if rows else (1,):
             if count > max(ROWS) and reached <= machine.executed:
