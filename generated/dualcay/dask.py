@@ -14,6 +14,7 @@ from typing import Any
 
 import numpy as np
 
+from ._chart import Axis
 from ._checks import LAWS, ROTATION_LAWS, Law, require
 from ._kernel import Array, Shape
 from ._runtime import as_array, batch_shape
@@ -147,7 +148,7 @@ LAWS_OF = {"PoseKernels": LAWS, "RotationKernels": ROTATION_LAWS}
 """Conditions of arguments, by interface and function."""
 
 
-def apply(kernel: Callable[..., Any], *arrays: Any, axis: int = -1, **options: Any) -> Any:
+def apply(kernel: Callable[..., Any], *arrays: Any, axis: Axis = -1, **options: Any) -> Any:
     """Return the lazy result of a kernel on Dask arrays, through ``dask.array.apply_gufunc``.
 
     Shapes and dtypes are those of the kernel on NumPy arrays, and known without computing.

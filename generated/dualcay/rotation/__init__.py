@@ -25,7 +25,9 @@ def _modules() -> list[str]:
     return sorted(name for name in found if not name.startswith("_"))
 
 
-if not TYPE_CHECKING:  # type checkers find the modules in the folder and must see no other name
+if TYPE_CHECKING:  # type checkers know the modules in the folder and no other name
+    from ._modules import *  # noqa: F403
+else:
 
     def __getattr__(name: str) -> Any:
         if name in _modules():
