@@ -218,8 +218,10 @@ def generate_charts(
         chart.require_kernels()
     entry = notices(wanted, chosen)
     modules = (chosen.file(chart.name, table) for table in chosen.tables for chart in wanted)
-    files.refuse(folder, dict.fromkeys((*chosen.shared(), *chosen.index(()), *modules), "") | entry, force)  # before the long work
-    package = _indexed(build(wanted, chosen, progress, processes), chosen, wanted, catalogue.charts_in(folder, chosen))
+    names = (*chosen.shared(), *chosen.index(()), *modules)
+    files.refuse(folder, dict.fromkeys(names, "") | entry, force)  # before the long work
+    built = build(wanted, chosen, progress, processes)
+    package = _indexed(built, chosen, wanted, catalogue.charts_in(folder, chosen))
     files.write(folder, package.texts, force, entry)
     return package
 

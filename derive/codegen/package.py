@@ -283,8 +283,9 @@ def shared_texts(target: Target) -> dict[str, str]:
 
 def index_texts(target: Target, names: Collection[str]) -> dict[str, str]:
     """Render the files that list the charts of a folder, by file name."""
-    files = target.index(names).items()
-    return {name: generated(f, _header(head(command(target.name), source(f)), "#"), **data) for name, (f, data) in files}
+    made_by = command(target.name)
+    found = target.index(names).items()
+    return {name: generated(file, _header(head(made_by, source(file)), "#"), **data) for name, (file, data) in found}
 
 
 def module_texts(facts: Facts, target: Target, tested: bool = True) -> dict[str, str]:

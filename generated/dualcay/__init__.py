@@ -39,7 +39,7 @@ PARTS = ("rotation", "dask", "extended", "interop")
 
 
 def _modules() -> list[str]:
-    found = (info.name for info in pkgutil.iter_modules(__path__) if not info.ispkg)
+    found = (info.name for info in pkgutil.iter_modules(__path__) if not info.ispkg)  # noqa: F405
     return sorted(name for name in found if not name.startswith("_") and name not in PARTS)
 
 

@@ -14,7 +14,6 @@ from numpy.typing import ArrayLike, NDArray
 from ._chart import Axis
 from ._runtime import filled
 
-
 Function: TypeAlias = Callable[..., Any]
 
 
@@ -58,6 +57,8 @@ class ChartModule(Protocol):
     between_jacobians: Function
     transform_point: Function
     transform_point_jacobians: Function
+
+
 class PoseModule(ChartModule, Protocol):
     """Type of kernel modules of poses, for type checkers."""
 
@@ -65,7 +66,9 @@ class PoseModule(ChartModule, Protocol):
     from_pose: Function
 
 
-def convert(v: ArrayLike, source: ChartModule, target: ChartModule, *, axis: Axis = -1, out: NDArray[Any] | None = None) -> NDArray[Any]:
+def convert(
+    v: ArrayLike, source: ChartModule, target: ChartModule, *, axis: Axis = -1, out: NDArray[Any] | None = None
+) -> NDArray[Any]:
     """Return the vector of another chart for the same pose, on the same branch: ``φ₂(α) u`` of ``v = φ₁(α) u``.
 
     Parameters
@@ -102,7 +105,9 @@ def convert(v: ArrayLike, source: ChartModule, target: ChartModule, *, axis: Axi
     return found
 
 
-def convert_jacobian(v: ArrayLike, source: ChartModule, target: ChartModule, *, axis: Axis = -1, out: NDArray[Any] | None = None) -> NDArray[Any]:
+def convert_jacobian(
+    v: ArrayLike, source: ChartModule, target: ChartModule, *, axis: Axis = -1, out: NDArray[Any] | None = None
+) -> NDArray[Any]:
     """Return the derivative of ``w = convert(v, source, target)`` by v, ``T₂(w)⁻¹ T₁(v)``.
 
     Both vectors have one pose, so their rates have one twist, also where ``convert`` changes the branch. With it a

@@ -344,11 +344,15 @@ def _kernels_of(module: str) -> ExtendedKernels:
     return ExtendedKernels(importlib.import_module(module))
 
 
+def _package() -> Any:
+    return importlib.import_module(__name__.rpartition(".")[0])
+
+
 def __getattr__(name: str) -> ExtendedKernels:
-    if name.startswith("_") or not hasattr(found := getattr(importlib.import_module(__package__), name), "KERNELS"):
+    if name.startswith("_") or not hasattr(found := getattr(_package(), name), "KERNELS"):
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
     return _kernels_of(found.__name__)
 
 
 def __dir__() -> list[str]:
-    return sorted({*__all__, *importlib.import_module(__package__)._modules()})
+    return sorted({*__all__, *_package()._modules()})

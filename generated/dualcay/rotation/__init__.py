@@ -21,7 +21,7 @@ __all__ = ["backend"]
 
 
 def _modules() -> list[str]:
-    found = (info.name for info in pkgutil.iter_modules(__path__) if not info.ispkg)
+    found = (info.name for info in pkgutil.iter_modules(__path__) if not info.ispkg)  # noqa: F405
     return sorted(name for name in found if not name.startswith("_"))
 
 

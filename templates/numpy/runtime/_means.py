@@ -132,6 +132,7 @@ def _start(module: Any, rows: Array, w: Array) -> Array:
     start = np.einsum("...k,...ki->...i", w, q)
     sides, middle = q[..., :4], start[..., :4].copy()
     limit = cos(pi / 4) + 8 * np.finfo(rows.dtype).eps
+    farthest, open_ = np.zeros(rows.shape[:-2], int), np.zeros(rows.shape[:-2], bool)
     for _ in range(SEARCH):
         products = np.sum(sides * middle[..., None, :], axis=-1)
         length = np.linalg.norm(middle, axis=-1)

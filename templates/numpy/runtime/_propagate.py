@@ -24,10 +24,11 @@ Progress = Callable[[float], object]
 
 
 def propagate(
-    module: PoseModule, v0: ArrayLike, twist: Callable[[float], ArrayLike] | ArrayLike, t: ArrayLike, *, frame: Frame = "space",
-    method: Literal["lie", "chart"] = "lie", rtol: float = 1e-10, atol: float = 1e-12, covariance: ArrayLike | None = None,
-    noise: ArrayLike | None = None, max_step: float = math.inf, progress: Progress | bool | None = None,
-    integrator: Literal["DOP853", "RK45", "RK23"] = "DOP853", knots: ArrayLike | None = None,
+    module: PoseModule, v0: ArrayLike, twist: Callable[[float], ArrayLike] | ArrayLike, t: ArrayLike, *,
+    frame: Frame = "space", method: Literal["lie", "chart"] = "lie", rtol: float = 1e-10, atol: float = 1e-12,
+    covariance: ArrayLike | None = None, noise: ArrayLike | None = None, max_step: float = math.inf,
+    progress: Progress | bool | None = None, integrator: Literal["DOP853", "RK45", "RK23"] = "DOP853",
+    knots: ArrayLike | None = None,
 ) -> Motion:  # fmt: skip
     """Integrate ``Ṙ = skew(ω) R``, or ``Ṙ = R skew(ω)`` in the body frame, for a given dual twist ω; CP23 (70), (74).
 
