@@ -21,7 +21,7 @@ from ..output.shown import Progress, Step, bar, silent
 from ..proof import prove
 from ..workers import mapping, scratch
 from . import catalogue
-from .package import Counts, Facts, Module, Package, module_texts, notices, shared_texts
+from .package import Counts, Facts, Module, Package, index_texts, module_texts, notices, shared_texts
 from .signatures import Lowered, lower
 from .targets import TARGETS, Target
 
@@ -218,8 +218,10 @@ def generate_charts(
         chart.require_kernels()
     entry = notices(wanted, chosen)
     modules = (chosen.file(chart.name, table) for table in chosen.tables for chart in wanted)
-    files.refuse(folder, dict.fromkeys((*chosen.shared(), *modules), "") | entry, force)  # before the long work
-    package = build(wanted, chosen, progress, processes)
+    names = (*chosen.shared(), *chosen.index(()), *modules)
+    files.refuse(folder, dict.fromkeys(names, "") | entry, force)  # before the long work
+    built = build(wanted, chosen, progress, processes)
+    package = _indexed(built, chosen, wanted, catalogue.charts_in(folder, chosen))
     files.write(folder, package.texts, force, entry)
     return package
 
@@ -248,7 +250,14 @@ def check_charts(
     above = ((c, table) for c in further if c.order > cap for table in chosen.tables)
     unmade = {chosen.file(c.name, table): f"order {c.order} {reason}" for c, table in above}
     made = [*wanted.values(), *(chart for chart in further if chart.order <= cap)]
-    return list(files.compare(folder, print_package(made, chosen, progress).texts, unmade))
+    package = _indexed(print_package(made, chosen, progress), chosen, made, further)
+    return list(files.compare(folder, package.texts, unmade))
+
+
+def _indexed(package: Package, target: Target, *charts: Iterable[Chart]) -> Package:
+    """Add the files that list the charts of a folder, those written and those there before."""
+    names = {chart.name for group in charts for chart in group}
+    return replace(package, shared={**package.shared, **index_texts(target, names)})
 
 
 def _with_bases(charts: Iterable[Chart], target: Target) -> list[Chart]:

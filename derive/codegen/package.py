@@ -243,6 +243,10 @@ class Target(Protocol):
     def module(self, facts: Facts) -> Data:
         """Return the data for the module of a chart."""
 
+    def index(self, names: Collection[str]) -> Mapping[str, tuple[str, Data]]:
+        """Return files that list the charts of a folder, as `companions` does."""
+        return {}
+
     def companions(self, facts: Facts) -> Mapping[str, tuple[str, Data]]:
         """Return further files of a chart: by name, the template and its data."""
 
@@ -275,6 +279,13 @@ def shared_texts(target: Target) -> dict[str, str]:
         texts[name] = generated(file, _header(lines, _mark(name, target)), **make())
     target.require_complete(texts)
     return texts
+
+
+def index_texts(target: Target, names: Collection[str]) -> dict[str, str]:
+    """Render the files that list the charts of a folder, by file name."""
+    made_by = command(target.name)
+    found = target.index(names).items()
+    return {name: generated(file, _header(head(made_by, source(file)), "#"), **data) for name, (file, data) in found}
 
 
 def module_texts(facts: Facts, target: Target, tested: bool = True) -> dict[str, str]:

@@ -23,12 +23,12 @@ from ._motion import Motion, MotionError
 from ._propagate import propagate
 from ._spline import PoseSpline, SplineJacobians
 from ._switching import switch_event, unwrap
-from ._tools import convert, convert_jacobian, matrix6
+from ._tools import ChartModule, PoseModule, convert, convert_jacobian, matrix6
 
 __all__ = [
-    "Motion", "MotionError", "PoseSpline", "SplineJacobians", "backend", "between_covariance", "compose_covariance",
-    "convert", "convert_jacobian", "inverse_covariance", "matrix6", "mean", "propagate", "switch_event",
-    "transform_point_covariance", "unwrap",
+    "ChartModule", "Motion", "MotionError", "PoseModule", "PoseSpline", "SplineJacobians", "backend",
+    "between_covariance", "compose_covariance", "convert", "convert_jacobian", "inverse_covariance", "matrix6", "mean",
+    "propagate", "switch_event", "transform_point_covariance", "unwrap",
 ]  # fmt: skip
 
 __version__ = "0.1.0"
@@ -39,11 +39,13 @@ PARTS = ("rotation", "dask", "extended", "interop")
 
 
 def _modules() -> list[str]:
-    found = (info.name for info in pkgutil.iter_modules(__path__) if not info.ispkg)
+    found = (info.name for info in pkgutil.iter_modules(__path__) if not info.ispkg)  # noqa: F405
     return sorted(name for name in found if not name.startswith("_") and name not in PARTS)
 
 
-if not TYPE_CHECKING:  # type checkers find the modules in the folder and must see no other name
+if TYPE_CHECKING:  # type checkers know the modules in the folder and no other name
+    from ._modules import *  # noqa: F403
+else:
 
     def __getattr__(name: str) -> Any:
         if name in (*_modules(), *PARTS):

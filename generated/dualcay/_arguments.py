@@ -5,10 +5,15 @@
 
 from __future__ import annotations
 
+from typing import Literal, TypeAlias, get_args
+
 import numpy as np
 from numpy.typing import ArrayLike
 
 from ._kernel import Array
+
+Frame: TypeAlias = Literal["space", "body"]
+FRAMES = get_args(Frame)
 
 
 def finite(name: str, value: ArrayLike, shape: tuple[int, ...], rows: bool = False) -> Array:

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from math import prod
 from types import SimpleNamespace
-from typing import Any, TypeAlias
+from typing import Any, Literal, TypeAlias
 
 import numpy as np
 
@@ -20,6 +20,7 @@ from ._native import functions as native_functions
 from ._program import Program
 from ._recorder import record
 
+Axis: TypeAlias = Literal[0, -1]
 Table: TypeAlias = tuple[tuple[str, ...], ...]
 
 

@@ -5,7 +5,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, Literal, TypeAlias, get_args
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -14,13 +14,15 @@ from ._arguments import require_one_of
 from ._branches import require_symmetric
 from ._kernel import Array
 from ._runtime import as_array
+from ._tools import ChartModule
 
-FRAMES = ("body", "space", "chart")
+FrameOfCovariance: TypeAlias = Literal["body", "space", "chart"]
+FRAMES = get_args(FrameOfCovariance)
 
 
 def compose_covariance(
-    module: Any, v2: ArrayLike, v1: ArrayLike, covariance2: ArrayLike, covariance1: ArrayLike,
-    cross: ArrayLike | None = None, *, frame: str = "body",
+    module: ChartModule, v2: ArrayLike, v1: ArrayLike, covariance2: ArrayLike, covariance1: ArrayLike,
+    cross: ArrayLike | None = None, *, frame: FrameOfCovariance = "body",
 ) -> Array:  # fmt: skip
     """Return the covariance of ``compose(v2, v1)`` to first order.
 
@@ -65,8 +67,8 @@ def compose_covariance(
 
 
 def between_covariance(
-    module: Any, v2: ArrayLike, v1: ArrayLike, covariance2: ArrayLike, covariance1: ArrayLike,
-    cross: ArrayLike | None = None, *, frame: str = "body",
+    module: ChartModule, v2: ArrayLike, v1: ArrayLike, covariance2: ArrayLike, covariance1: ArrayLike,
+    cross: ArrayLike | None = None, *, frame: FrameOfCovariance = "body",
 ) -> Array:  # fmt: skip
     """Return the covariance of ``between(v2, v1)`` to first order.
 
@@ -90,7 +92,9 @@ def between_covariance(
     return _combined(jacobians, {"covariance2": covariance2, "covariance1": covariance1}, cross)
 
 
-def inverse_covariance(module: Any, v: ArrayLike, covariance: ArrayLike, *, frame: str = "body") -> Array:
+def inverse_covariance(
+    module: ChartModule, v: ArrayLike, covariance: ArrayLike, *, frame: FrameOfCovariance = "body"
+) -> Array:
     """Return the covariance of ``inverse(v)``; parameters and result are as in `compose_covariance`.
 
     Examples
@@ -108,8 +112,8 @@ def inverse_covariance(module: Any, v: ArrayLike, covariance: ArrayLike, *, fram
 
 
 def transform_point_covariance(
-    module: Any, v: ArrayLike, r: ArrayLike, covariance: ArrayLike, point_covariance: ArrayLike | None = None,
-    cross: ArrayLike | None = None, *, frame: str = "body",
+    module: ChartModule, v: ArrayLike, r: ArrayLike, covariance: ArrayLike, point_covariance: ArrayLike | None = None,
+    cross: ArrayLike | None = None, *, frame: FrameOfCovariance = "body",
 ) -> Array:  # fmt: skip
     """Return the covariance (..., 3, 3) of ``transform_point(v, r)`` to first order.
 
@@ -134,7 +138,7 @@ def transform_point_covariance(
     return _combined((by_v, by_r), {"covariance": covariance, "point_covariance": point}, cross)
 
 
-def _identity(module: Any, v: ArrayLike) -> Array:
+def _identity(module: ChartModule, v: ArrayLike) -> Array:
     """Return an identity matrix for each vector."""
     n = len(module.identity())
     array = as_array("v", v, (n,), -1, real=True)

@@ -6,13 +6,13 @@
 from __future__ import annotations
 
 import importlib
-from typing import Any
+from typing import Any, overload
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from ._branches import call_branch, returned, shifted, shifted_jacobian, switched
-from ._chart import Chart
+from ._chart import Axis, Chart
 from ._checks import LAWS, require
 from ._kernel import Array
 from ._runtime import call, from_scalar_last, separate, to_scalar_last
@@ -78,7 +78,7 @@ class PoseKernels(Kernels):
 
     # --- poses ------------------------------------------------------------------------------------------------------
 
-    def quaternion(self, v: ArrayLike, *, axis: int = -1, out: Array | None = None, scalar_first: bool = True) -> Array:
+    def quaternion(self, v: ArrayLike, *, axis: Axis = -1, out: Array | None = None, scalar_first: bool = True) -> Array:
         r"""Return the unit dual quaternion of v, CP23 (50), (55).
 
         .. math::
@@ -110,7 +110,7 @@ class PoseKernels(Kernels):
         found = call(self._chart, "quaternion", axis, None, v)
         return to_scalar_last(found, 8, axis, out)
 
-    def tensor(self, v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+    def tensor(self, v: ArrayLike, *, axis: Axis = -1, out: Array | None = None) -> Array:
         r"""Return the orthogonal dual tensor R of v, CP23 (57).
 
         .. math::
@@ -138,7 +138,7 @@ class PoseKernels(Kernels):
         """
         return call(self._chart, "tensor", axis, out, v)
 
-    def pose(self, v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+    def pose(self, v: ArrayLike, *, axis: Axis = -1, out: Array | None = None) -> Array:
         r"""Return the homogeneous matrix of v, CP23 (16) of (57).
 
         The matrix holds the rotation Q and the translation ``ρ = Re(T) v°``; v° is the dual part of v.
@@ -165,7 +165,7 @@ class PoseKernels(Kernels):
         """
         return call(self._chart, "pose", axis, out, v)
 
-    def from_pose(self, T: ArrayLike, branch: int = 0, *, axis: int = -1, out: Array | None = None, check: bool | float = False) -> Array:
+    def from_pose(self, T: ArrayLike, branch: int = 0, *, axis: Axis = -1, out: Array | None = None, check: bool | float = False) -> Array:
         r"""Return the vector of a homogeneous matrix.
 
         The axis at the angle π is chosen so that its first component that is not 0 up to rounding is positive.
@@ -207,7 +207,7 @@ class PoseKernels(Kernels):
         max_angle: float | None = None,
         max_translation: float = 1.0,
         rng: np.random.Generator | int | None = None,
-    ) -> Array:
+    ) -> NDArray[np.float64]:
         """Draw vectors of random poses.
 
         Parameters
@@ -250,7 +250,7 @@ class PoseKernels(Kernels):
 
     # --- lines and screws -------------------------------------------------------------------------------------------
 
-    def transform_line(self, v: ArrayLike, line: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+    def transform_line(self, v: ArrayLike, line: ArrayLike, *, axis: Axis = -1, out: Array | None = None) -> Array:
         r"""Return a line, or any dual vector, moved from the body frame to the space frame: ``R l``, CP23 (66).
 
         Parameters
@@ -274,7 +274,7 @@ class PoseKernels(Kernels):
         """
         return call(self._chart, "transform_line", axis, out, v, line)
 
-    def transform_line_jacobians(self, v: ArrayLike, line: ArrayLike, *, axis: int = -1) -> tuple[Array, ...]:
+    def transform_line_jacobians(self, v: ArrayLike, line: ArrayLike, *, axis: Axis = -1) -> tuple[Array, ...]:
         r"""Return the derivatives of ``transform_line(v, line)``: ``−skew(R l) T`` by v, ``adjoint(v)`` by the line.
 
         Parameters
@@ -300,7 +300,7 @@ class PoseKernels(Kernels):
         found = call(self._chart, "transform_line_jacobians", axis, None, v, line)
         return separate(found, axis, JACOBIAN, JACOBIAN)
 
-    def from_screw(self, angle: ArrayLike, line: ArrayLike, /, *, axis: int = -1, out: Array | None = None, check: bool | float = False) -> Array:
+    def from_screw(self, angle: ArrayLike, line: ArrayLike, /, *, axis: Axis = -1, out: Array | None = None, check: bool | float = False) -> Array:
         r"""Return the vector ``φ(α) u`` of a dual angle and an axis.
 
         A pure rotation has the angle [α, 0]. A pure translation d has the angle [0, d] and any axis in its direction.
@@ -333,7 +333,7 @@ class PoseKernels(Kernels):
             require(LAWS["from_screw"], line, axis, check)
         return call(self._chart, "from_screw", axis, out, angle, line)
 
-    def to_screw(self, v: ArrayLike, *, axis: int = -1) -> tuple[Array, Array]:
+    def to_screw(self, v: ArrayLike, *, axis: Axis = -1) -> tuple[Array, Array]:
         r"""Return the dual angle and the axis of v, the natural invariants of CP23 Theorem 3.
 
         They have no derivative at v = 0.
@@ -365,7 +365,7 @@ class PoseKernels(Kernels):
     # --- maps from quaternions and tensors --------------------------------------------------------------------------
 
     def from_quaternion(
-        self, q: ArrayLike, branch: int = 0, *, axis: int = -1, out: Array | None = None, check: bool | float = False, scalar_first: bool = True
+        self, q: ArrayLike, branch: int = 0, *, axis: Axis = -1, out: Array | None = None, check: bool | float = False, scalar_first: bool = True
     ) -> Array:
         r"""Return the vector of a quaternion, CP23 (47), (49).
 
@@ -406,7 +406,7 @@ class PoseKernels(Kernels):
             require(LAWS["from_quaternion"], q, axis, check)
         return call_branch(self._chart, "from_quaternion", branch, axis, out, q)
 
-    def from_tensor(self, R: ArrayLike, branch: int = 0, *, axis: int = -1, out: Array | None = None, check: bool | float = False) -> Array:
+    def from_tensor(self, R: ArrayLike, branch: int = 0, *, axis: Axis = -1, out: Array | None = None, check: bool | float = False) -> Array:
         r"""Return the vector of a tensor, the inverse of ``tensor``.
 
         The axis at the angle π is chosen so that its first component that is not 0 up to rounding is positive.
@@ -458,7 +458,7 @@ class PoseKernels(Kernels):
         """
         return self._chart.singular_angles
 
-    def identity(self) -> Array:
+    def identity(self) -> NDArray[np.float64]:
         """Return the vector of the identity.
 
         Returns
@@ -473,7 +473,7 @@ class PoseKernels(Kernels):
         """
         return np.zeros(6)
 
-    def inverse(self, v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+    def inverse(self, v: ArrayLike, *, axis: Axis = -1, out: Array | None = None) -> Array:
         r"""Return the vector −v of the inverse, ``R(−v) = R(v)ᵀ``.
 
         Parameters
@@ -496,7 +496,7 @@ class PoseKernels(Kernels):
         """
         return call(self._chart, "inverse", axis, out, v)
 
-    def transform_point(self, v: ArrayLike, r: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+    def transform_point(self, v: ArrayLike, r: ArrayLike, *, axis: Axis = -1, out: Array | None = None) -> Array:
         r"""Return a point moved from the body frame to the space frame by v.
 
         Parameters
@@ -520,7 +520,7 @@ class PoseKernels(Kernels):
         """
         return call(self._chart, "transform_point", axis, out, v, r)
 
-    def transform_point_jacobians(self, v: ArrayLike, r: ArrayLike, *, axis: int = -1) -> tuple[Array, ...]:
+    def transform_point_jacobians(self, v: ArrayLike, r: ArrayLike, *, axis: Axis = -1) -> tuple[Array, ...]:
         r"""Return the derivatives of ``transform_point(v, r)`` by v and by r.
 
         Parameters
@@ -549,7 +549,7 @@ class PoseKernels(Kernels):
         found = call(self._chart, "transform_point_jacobians", axis, None, v, r)
         return separate(found, axis, (3, 6), (3, 3))
 
-    def tangent(self, v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+    def tangent(self, v: ArrayLike, *, axis: Axis = -1, out: Array | None = None) -> Array:
         r"""Return the tangent operator T of the space frame, CP23 (88): ``ω = T v̇``.
 
         .. math::
@@ -576,7 +576,7 @@ class PoseKernels(Kernels):
         """
         return call(self._chart, "tangent", axis, out, v)
 
-    def tangent_inv(self, v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+    def tangent_inv(self, v: ArrayLike, *, axis: Axis = -1, out: Array | None = None) -> Array:
         r"""Return the inverse tangent operator of the space frame, CP23 (89): ``v̇ = T⁻¹ ω``.
 
         .. math::
@@ -603,7 +603,7 @@ class PoseKernels(Kernels):
         """
         return call(self._chart, "tangent_inv", axis, out, v)
 
-    def body_tangent(self, v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+    def body_tangent(self, v: ArrayLike, *, axis: Axis = -1, out: Array | None = None) -> Array:
         r"""Return the tangent operator Tᵀ of the body frame, CP23 (86): ``ω_B = Tᵀ v̇ = Rᵀ ω``.
 
         Parameters
@@ -626,7 +626,7 @@ class PoseKernels(Kernels):
         """
         return call(self._chart, "body_tangent", axis, out, v)
 
-    def body_tangent_inv(self, v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+    def body_tangent_inv(self, v: ArrayLike, *, axis: Axis = -1, out: Array | None = None) -> Array:
         r"""Return the inverse tangent operator T⁻ᵀ of the body frame, CP23 (91): ``v̇ = T⁻ᵀ ω_B``.
 
         Parameters
@@ -649,7 +649,7 @@ class PoseKernels(Kernels):
         """
         return call(self._chart, "body_tangent_inv", axis, out, v)
 
-    def adjoint(self, v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+    def adjoint(self, v: ArrayLike, *, axis: Axis = -1, out: Array | None = None) -> Array:
         r"""Return the real matrix that transforms twists and wrenches from the body frame to the space frame.
 
         Parameters
@@ -674,7 +674,7 @@ class PoseKernels(Kernels):
 
     # --- branches, angles, exponential coordinates ------------------------------------------------------------------
 
-    def shadow(self, v: ArrayLike, branch: int = 1, *, axis: int = -1, out: Array | None = None) -> Array:
+    def shadow(self, v: ArrayLike, branch: int = 1, *, axis: Axis = -1, out: Array | None = None) -> Array:
         r"""Return the shadow of v, the vector of R(v) after k branches: ``v_k = φ(α + 2kπ) u``, CP23 (49).
 
         α is the principal angle and u its axis, ``u = sign(p q) v/|v|``.
@@ -705,7 +705,7 @@ class PoseKernels(Kernels):
         """
         return shifted(self._chart, branch, axis, out, v)
 
-    def shadow_jacobian(self, v: ArrayLike, branch: int = 1, *, axis: int = -1, out: Array | None = None) -> Array:
+    def shadow_jacobian(self, v: ArrayLike, branch: int = 1, *, axis: Axis = -1, out: Array | None = None) -> Array:
         r"""Return the derivative of ``shadow(v, branch)`` by v: ``∂v_k/∂v = T(v_k)⁻¹ T(v)``.
 
         The matrix maps rates and covariances of v to the shadow. At whole turns it exists although T has no inverse.
@@ -734,7 +734,7 @@ class PoseKernels(Kernels):
         """
         return shifted_jacobian(self._chart, branch, axis, out, v)
 
-    def principal(self, v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+    def principal(self, v: ArrayLike, *, axis: Axis = -1, out: Array | None = None) -> Array:
         r"""Return the shadow with the smallest rotation angle, in [0, π]; v itself at a tie.
 
         Parameters
@@ -758,7 +758,7 @@ class PoseKernels(Kernels):
         """
         return returned(self._chart, axis, out, v)
 
-    def angle(self, v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+    def angle(self, v: ArrayLike, *, axis: Axis = -1, out: Array | None = None) -> Array:
         r"""Return the angle α of ``v = φ(α) u`` on the branch of v, not folded to [0, π].
 
         Parameters
@@ -782,7 +782,7 @@ class PoseKernels(Kernels):
         """
         return call(self._chart, "angle", axis, out, v)
 
-    def to_exponential(self, v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+    def to_exponential(self, v: ArrayLike, *, axis: Axis = -1, out: Array | None = None) -> Array:
         r"""Return the exponential coordinates α u of ``v = φ(α) u`` on the branch of v, α not folded to [0, π].
 
         Parameters
@@ -806,8 +806,16 @@ class PoseKernels(Kernels):
         """
         return call(self._chart, "to_exponential", axis, out, v)
 
+    @overload
+    def switch(self, v: ArrayLike, *, axis: Axis = -1) -> Array: ...
+    @overload
     def switch(
-        self, v: ArrayLike, v_dot: ArrayLike | None = None, covariance: ArrayLike | None = None, *, axis: int = -1
+        self, v: ArrayLike, v_dot: ArrayLike, covariance: ArrayLike | None = None, *, axis: Axis = -1
+    ) -> tuple[Array, ...]: ...
+    @overload
+    def switch(self, v: ArrayLike, *, covariance: ArrayLike, axis: Axis = -1) -> tuple[Array, ...]: ...
+    def switch(
+        self, v: ArrayLike, v_dot: ArrayLike | None = None, covariance: ArrayLike | None = None, *, axis: Axis = -1
     ) -> Array | tuple[Array, ...]:
         r"""Return the principal vector, with the rate and the covariance that belong to it.
 
@@ -840,7 +848,7 @@ class PoseKernels(Kernels):
         """
         return switched(self, axis, v, v_dot, covariance)
 
-    def from_exponential(self, w: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+    def from_exponential(self, w: ArrayLike, *, axis: Axis = -1, out: Array | None = None) -> Array:
         r"""Return the vector φ(α) u of exponential coordinates α u, on the branch of α if the chart has it.
 
         Parameters
@@ -867,7 +875,7 @@ class PoseKernels(Kernels):
 
     # --- composition ------------------------------------------------------------------------------------------------
 
-    def compose(self, v2: ArrayLike, v1: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+    def compose(self, v2: ArrayLike, v1: ArrayLike, *, axis: Axis = -1, out: Array | None = None) -> Array:
         r"""Return the principal vector of ``R(v2) R(v1)``: v1 acts first, CP23 (58).
 
         Parameters
@@ -891,7 +899,7 @@ class PoseKernels(Kernels):
         """
         return call(self._chart, "compose", axis, out, v2, v1)
 
-    def between(self, v2: ArrayLike, v1: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+    def between(self, v2: ArrayLike, v1: ArrayLike, *, axis: Axis = -1, out: Array | None = None) -> Array:
         r"""Return the principal vector of ``R(v1)⁻¹ R(v2)``, from v1 to v2 in the frame of v1.
 
         Parameters
@@ -914,7 +922,7 @@ class PoseKernels(Kernels):
         """
         return call(self._chart, "between", axis, out, v2, v1)
 
-    def compose_jacobians(self, v2: ArrayLike, v1: ArrayLike, *, axis: int = -1) -> tuple[Array, ...]:
+    def compose_jacobians(self, v2: ArrayLike, v1: ArrayLike, *, axis: Axis = -1) -> tuple[Array, ...]:
         r"""Return the derivatives of ``v = compose(v2, v1)`` by v2 and by v1, on the principal branch.
 
         ``∂v/∂v2 = T(v)⁻¹ T(v2)`` and ``∂v/∂v1 = T(v)⁻¹ R(v2) T(v1)``.
@@ -941,7 +949,7 @@ class PoseKernels(Kernels):
         found = call(self._chart, "compose_jacobians", axis, None, v2, v1)
         return separate(found, axis, JACOBIAN, JACOBIAN)
 
-    def between_jacobians(self, v2: ArrayLike, v1: ArrayLike, *, axis: int = -1) -> tuple[Array, ...]:
+    def between_jacobians(self, v2: ArrayLike, v1: ArrayLike, *, axis: Axis = -1) -> tuple[Array, ...]:
         r"""Return the derivatives of ``between(v2, v1)`` by v2 and by v1, on the principal branch.
 
         Parameters
@@ -966,7 +974,7 @@ class PoseKernels(Kernels):
         found = call(self._chart, "between_jacobians", axis, None, v2, v1)
         return separate(found, axis, JACOBIAN, JACOBIAN)
 
-    def local_jacobians(self, v2: ArrayLike, v1: ArrayLike, *, axis: int = -1) -> tuple[Array, ...]:
+    def local_jacobians(self, v2: ArrayLike, v1: ArrayLike, *, axis: Axis = -1) -> tuple[Array, ...]:
         r"""Return the derivatives of ``δ = local(v2, v1)`` by v2 and by v1, on the principal branch.
 
         ``∂δ/∂v2 = dexp(δ)⁻¹ T(v2)`` and ``∂δ/∂v1 = −dexp(−δ)⁻¹ T(v1)``.
@@ -993,7 +1001,7 @@ class PoseKernels(Kernels):
         found = call(self._chart, "local_jacobians", axis, None, v2, v1)
         return separate(found, axis, JACOBIAN, JACOBIAN)
 
-    def body_local_jacobians(self, v2: ArrayLike, v1: ArrayLike, *, axis: int = -1) -> tuple[Array, ...]:
+    def body_local_jacobians(self, v2: ArrayLike, v1: ArrayLike, *, axis: Axis = -1) -> tuple[Array, ...]:
         r"""Return the derivatives of ``δ = body_local(v2, v1)`` by v2 and by v1, on the principal branch.
 
         ``∂δ/∂v2 = dexp(−δ)⁻¹ T(v2)ᵀ`` and ``∂δ/∂v1 = −dexp(δ)⁻¹ T(v1)ᵀ``.
@@ -1020,7 +1028,7 @@ class PoseKernels(Kernels):
         found = call(self._chart, "body_local_jacobians", axis, None, v2, v1)
         return separate(found, axis, JACOBIAN, JACOBIAN)
 
-    def interpolate(self, v1: ArrayLike, v2: ArrayLike, t: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+    def interpolate(self, v1: ArrayLike, v2: ArrayLike, t: ArrayLike, *, axis: Axis = -1, out: Array | None = None) -> Array:
         r"""Return the vector at t on the motion of constant twist from v1 (t = 0) to v2 (t = 1): ``exp(t δ) R(v1)``.
 
         δ = ``local(v2, v1)`` is the shorter motion, a rotation by at most π (ScLERP; SLERP for rotations).
@@ -1053,7 +1061,7 @@ class PoseKernels(Kernels):
 
     # --- twists, rates, forces and steps in the space frame -----------------------------------------------------------
 
-    def twist(self, v: ArrayLike, v_dot: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+    def twist(self, v: ArrayLike, v_dot: ArrayLike, *, axis: Axis = -1, out: Array | None = None) -> Array:
         r"""Return the twist in the space frame from the rate of v, CP23 (86): ``ω = T v̇``.
 
         Parameters
@@ -1078,7 +1086,7 @@ class PoseKernels(Kernels):
         """
         return call(self._chart, "twist", axis, out, v, v_dot, table=SPACE)
 
-    def rate(self, v: ArrayLike, omega: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+    def rate(self, v: ArrayLike, omega: ArrayLike, *, axis: Axis = -1, out: Array | None = None) -> Array:
         r"""Return the rate of v from the twist in the space frame, CP23 (87), (90), (91): ``v̇ = T⁻¹ ω``.
 
         Parameters
@@ -1103,7 +1111,7 @@ class PoseKernels(Kernels):
         """
         return call(self._chart, "rate", axis, out, v, omega, table=SPACE_INV)
 
-    def tangent_dot(self, v: ArrayLike, v_dot: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+    def tangent_dot(self, v: ArrayLike, v_dot: ArrayLike, *, axis: Axis = -1, out: Array | None = None) -> Array:
         r"""Return the time derivative of the tangent operator T of the space frame.
 
         Parameters
@@ -1129,7 +1137,7 @@ class PoseKernels(Kernels):
         """
         return call(self._chart, "tangent_dot", axis, out, v, v_dot, table=SPACE)
 
-    def twist_dot(self, v: ArrayLike, v_dot: ArrayLike, v_ddot: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+    def twist_dot(self, v: ArrayLike, v_dot: ArrayLike, v_ddot: ArrayLike, *, axis: Axis = -1, out: Array | None = None) -> Array:
         r"""Return the time derivative of the twist in the space frame: ``T v̈ + dT/dt v̇``.
 
         Parameters
@@ -1157,7 +1165,7 @@ class PoseKernels(Kernels):
         """
         return call(self._chart, "twist_dot", axis, out, v, v_dot, v_ddot, table=SPACE)
 
-    def rate_dot(self, v: ArrayLike, omega: ArrayLike, omega_dot: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+    def rate_dot(self, v: ArrayLike, omega: ArrayLike, omega_dot: ArrayLike, *, axis: Axis = -1, out: Array | None = None) -> Array:
         r"""Return v̈ from the twist in the space frame and its derivative: ``T⁻¹ dω/dt + dT⁻¹/dt ω``.
 
         Parameters
@@ -1185,7 +1193,7 @@ class PoseKernels(Kernels):
         """
         return call(self._chart, "rate_dot", axis, out, v, omega, omega_dot, table=SPACE)
 
-    def twist_jacobian(self, v: ArrayLike, v_dot: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+    def twist_jacobian(self, v: ArrayLike, v_dot: ArrayLike, *, axis: Axis = -1, out: Array | None = None) -> Array:
         r"""Return the derivative by v of the twist in the space frame at fixed v̇: ``∂(T v̇)/∂v``.
 
         Parameters
@@ -1210,7 +1218,7 @@ class PoseKernels(Kernels):
         """
         return call(self._chart, "twist_jacobian", axis, out, v, v_dot, table=SPACE)
 
-    def rate_jacobian(self, v: ArrayLike, omega: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+    def rate_jacobian(self, v: ArrayLike, omega: ArrayLike, *, axis: Axis = -1, out: Array | None = None) -> Array:
         r"""Return the derivative by v of the rate of v at a fixed twist in the space frame: ``∂(T⁻¹ ω)/∂v``.
 
         Parameters
@@ -1235,7 +1243,7 @@ class PoseKernels(Kernels):
         """
         return call(self._chart, "rate_jacobian", axis, out, v, omega, table=SPACE)
 
-    def transition(self, v: ArrayLike, v0: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+    def transition(self, v: ArrayLike, v0: ArrayLike, *, axis: Axis = -1, out: Array | None = None) -> Array:
         r"""Return the derivative of v by its initial value v0 in a motion with a given twist in the space frame.
 
         If ``ω = T v̇`` is a given function of time, then ``∂v/∂v0 = T(v)⁻ᵀ T(v0)ᵀ``.
@@ -1262,7 +1270,7 @@ class PoseKernels(Kernels):
         """
         return call(self._chart, "transition", axis, out, v, v0, table=BODY)
 
-    def cotangent(self, v: ArrayLike, z: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+    def cotangent(self, v: ArrayLike, z: ArrayLike, *, axis: Axis = -1, out: Array | None = None) -> Array:
         r"""Return the generalized force of a wrench in the space frame: ``τ = Tᵀ z``.
 
         Parameters
@@ -1288,7 +1296,7 @@ class PoseKernels(Kernels):
         """
         return call(self._chart, "twist", axis, out, v, z, table=BODY, last="z")
 
-    def cotangent_jacobian(self, v: ArrayLike, z: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+    def cotangent_jacobian(self, v: ArrayLike, z: ArrayLike, *, axis: Axis = -1, out: Array | None = None) -> Array:
         r"""Return the derivative by v of the generalized force of a fixed wrench: ``∂(Tᵀ z)/∂v``.
 
         Parameters
@@ -1313,7 +1321,7 @@ class PoseKernels(Kernels):
         """
         return call(self._chart, "twist_jacobian", axis, out, v, z, table=BODY, last="z")
 
-    def retract(self, v: ArrayLike, delta: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+    def retract(self, v: ArrayLike, delta: ArrayLike, *, axis: Axis = -1, out: Array | None = None) -> Array:
         r"""Return the vector after a step δ in the space frame: ``R(w) = exp(δ) R(v)``.
 
         w lies on the branch nearest v: the angles of w and v differ by at most π. Steps thus continue past half a turn.
@@ -1341,7 +1349,7 @@ class PoseKernels(Kernels):
         """
         return call(self._chart, "retract", axis, out, v, delta)
 
-    def retract_jacobians(self, v: ArrayLike, delta: ArrayLike, *, axis: int = -1) -> tuple[Array, ...]:
+    def retract_jacobians(self, v: ArrayLike, delta: ArrayLike, *, axis: Axis = -1) -> tuple[Array, ...]:
         r"""Return the derivatives of ``w = retract(v, delta)`` by v and by δ, on the branch of w.
 
         ``∂w/∂v = T(w)⁻¹ exp(δ) T(v)`` and ``∂w/∂δ = T(w)⁻¹ dexp(δ)``. At δ = 0 they are I and ``tangent_inv(v)``.
@@ -1371,7 +1379,7 @@ class PoseKernels(Kernels):
         found = call(self._chart, "retract_jacobians", axis, None, v, delta)
         return separate(found, axis, JACOBIAN, JACOBIAN)
 
-    def local(self, v2: ArrayLike, v1: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+    def local(self, v2: ArrayLike, v1: ArrayLike, *, axis: Axis = -1, out: Array | None = None) -> Array:
         r"""Return the step δ in the space frame from v1 to v2: ``R(v2) = exp(δ) R(v1)``.
 
         Parameters
@@ -1396,7 +1404,7 @@ class PoseKernels(Kernels):
 
     # --- twists, rates, forces and steps in the body frame ------------------------------------------------------------
 
-    def body_twist(self, v: ArrayLike, v_dot: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+    def body_twist(self, v: ArrayLike, v_dot: ArrayLike, *, axis: Axis = -1, out: Array | None = None) -> Array:
         r"""Return the twist in the body frame from the rate of v, CP23 (86): ``ω_B = Tᵀ v̇``.
 
         Parameters
@@ -1421,7 +1429,7 @@ class PoseKernels(Kernels):
         """
         return call(self._chart, "twist", axis, out, v, v_dot, table=BODY)
 
-    def body_rate(self, v: ArrayLike, omega: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+    def body_rate(self, v: ArrayLike, omega: ArrayLike, *, axis: Axis = -1, out: Array | None = None) -> Array:
         r"""Return the rate of v from the twist in the body frame, CP23 (87), (90), (91): ``v̇ = T⁻ᵀ ω_B``.
 
         Parameters
@@ -1446,7 +1454,7 @@ class PoseKernels(Kernels):
         """
         return call(self._chart, "rate", axis, out, v, omega, table=BODY_INV)
 
-    def body_tangent_dot(self, v: ArrayLike, v_dot: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+    def body_tangent_dot(self, v: ArrayLike, v_dot: ArrayLike, *, axis: Axis = -1, out: Array | None = None) -> Array:
         r"""Return the time derivative of the tangent operator Tᵀ of the body frame.
 
         Parameters
@@ -1472,7 +1480,7 @@ class PoseKernels(Kernels):
         """
         return call(self._chart, "tangent_dot", axis, out, v, v_dot, table=BODY)
 
-    def body_twist_dot(self, v: ArrayLike, v_dot: ArrayLike, v_ddot: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+    def body_twist_dot(self, v: ArrayLike, v_dot: ArrayLike, v_ddot: ArrayLike, *, axis: Axis = -1, out: Array | None = None) -> Array:
         r"""Return the time derivative of the twist in the body frame: ``Tᵀ v̈ + dTᵀ/dt v̇``.
 
         Parameters
@@ -1500,7 +1508,7 @@ class PoseKernels(Kernels):
         """
         return call(self._chart, "twist_dot", axis, out, v, v_dot, v_ddot, table=BODY)
 
-    def body_rate_dot(self, v: ArrayLike, omega: ArrayLike, omega_dot: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+    def body_rate_dot(self, v: ArrayLike, omega: ArrayLike, omega_dot: ArrayLike, *, axis: Axis = -1, out: Array | None = None) -> Array:
         r"""Return v̈ from the twist in the body frame and its derivative: ``T⁻ᵀ dω_B/dt + dT⁻ᵀ/dt ω_B``.
 
         Parameters
@@ -1528,7 +1536,7 @@ class PoseKernels(Kernels):
         """
         return call(self._chart, "rate_dot", axis, out, v, omega, omega_dot, table=BODY)
 
-    def body_twist_jacobian(self, v: ArrayLike, v_dot: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+    def body_twist_jacobian(self, v: ArrayLike, v_dot: ArrayLike, *, axis: Axis = -1, out: Array | None = None) -> Array:
         r"""Return the derivative by v of the twist in the body frame at fixed v̇: ``∂(Tᵀ v̇)/∂v``.
 
         Parameters
@@ -1553,7 +1561,7 @@ class PoseKernels(Kernels):
         """
         return call(self._chart, "twist_jacobian", axis, out, v, v_dot, table=BODY)
 
-    def body_rate_jacobian(self, v: ArrayLike, omega: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+    def body_rate_jacobian(self, v: ArrayLike, omega: ArrayLike, *, axis: Axis = -1, out: Array | None = None) -> Array:
         r"""Return the derivative by v of the rate of v at a fixed twist in the body frame: ``∂(T⁻ᵀ ω_B)/∂v``.
 
         Parameters
@@ -1578,7 +1586,7 @@ class PoseKernels(Kernels):
         """
         return call(self._chart, "rate_jacobian", axis, out, v, omega, table=BODY)
 
-    def body_transition(self, v: ArrayLike, v0: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+    def body_transition(self, v: ArrayLike, v0: ArrayLike, *, axis: Axis = -1, out: Array | None = None) -> Array:
         r"""Return the derivative of v by its initial value v0 in a motion with a given twist in the body frame.
 
         If ``ω_B = Tᵀ v̇`` is a given function of time, then ``∂v/∂v0 = T(v)⁻¹ T(v0)``.
@@ -1605,7 +1613,7 @@ class PoseKernels(Kernels):
         """
         return call(self._chart, "transition", axis, out, v, v0, table=SPACE)
 
-    def body_cotangent(self, v: ArrayLike, z: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+    def body_cotangent(self, v: ArrayLike, z: ArrayLike, *, axis: Axis = -1, out: Array | None = None) -> Array:
         r"""Return the generalized force of a wrench in the body frame: ``τ = T z``.
 
         Parameters
@@ -1631,7 +1639,7 @@ class PoseKernels(Kernels):
         """
         return call(self._chart, "twist", axis, out, v, z, table=SPACE, last="z")
 
-    def body_cotangent_jacobian(self, v: ArrayLike, z: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+    def body_cotangent_jacobian(self, v: ArrayLike, z: ArrayLike, *, axis: Axis = -1, out: Array | None = None) -> Array:
         r"""Return the derivative by v of the generalized force of a fixed wrench: ``∂(T z)/∂v``.
 
         Parameters
@@ -1656,7 +1664,7 @@ class PoseKernels(Kernels):
         """
         return call(self._chart, "twist_jacobian", axis, out, v, z, table=SPACE, last="z")
 
-    def body_retract(self, v: ArrayLike, delta: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+    def body_retract(self, v: ArrayLike, delta: ArrayLike, *, axis: Axis = -1, out: Array | None = None) -> Array:
         r"""Return the vector after a step δ in the body frame: ``R(w) = R(v) exp(δ)``.
 
         w lies on the branch nearest v: the angles of w and v differ by at most π. Steps thus continue past half a turn.
@@ -1684,7 +1692,7 @@ class PoseKernels(Kernels):
         """
         return call(self._chart, "body_retract", axis, out, v, delta)
 
-    def body_retract_jacobians(self, v: ArrayLike, delta: ArrayLike, *, axis: int = -1) -> tuple[Array, ...]:
+    def body_retract_jacobians(self, v: ArrayLike, delta: ArrayLike, *, axis: Axis = -1) -> tuple[Array, ...]:
         r"""Return the derivatives of ``w = body_retract(v, delta)`` by v and by δ, on the branch of w.
 
         ``∂w/∂v = T(w)⁻¹ T(v)`` and ``∂w/∂δ = T(w)⁻¹ R(v) dexp(δ)``. At δ = 0 they are I and ``body_tangent_inv(v)``.
@@ -1714,7 +1722,7 @@ class PoseKernels(Kernels):
         found = call(self._chart, "body_retract_jacobians", axis, None, v, delta)
         return separate(found, axis, JACOBIAN, JACOBIAN)
 
-    def body_local(self, v2: ArrayLike, v1: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+    def body_local(self, v2: ArrayLike, v1: ArrayLike, *, axis: Axis = -1, out: Array | None = None) -> Array:
         r"""Return the step δ in the body frame from v1 to v2: ``R(v2) = R(v1) exp(δ)``.
 
         Parameters

@@ -8,10 +8,10 @@ from __future__ import annotations
 import importlib
 import math
 from dataclasses import dataclass, field
-from typing import Any, Protocol
+from typing import Any, Literal, Protocol
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from ._kernel import Array
 
@@ -65,15 +65,15 @@ class Motion:
         Covariances of v.
     """
 
-    t: Array
-    v: Array
-    pose: Array
-    branch: Array
-    switches: Array
-    covariance: Array | None
+    t: NDArray[np.float64]
+    v: NDArray[np.float64]
+    pose: NDArray[np.float64]
+    branch: NDArray[np.int_]
+    switches: NDArray[np.float64]
+    covariance: NDArray[np.float64] | None
     _path: Path = field(repr=False)
 
-    def __call__(self, t: ArrayLike, order: int = 0) -> Array:
+    def __call__(self, t: ArrayLike, order: Literal[0, 1, 2] = 0) -> NDArray[np.float64]:
         """Return v or a time derivative of v at times of any shape.
 
         The derivative of a callable twist, for ``order=2``, is that of a polynomial through five values of the twist.

@@ -33,7 +33,7 @@ def functions(module: str, programs: str) -> Mapping[str, Compiled]:
     """Return the compiled functions of a kernel module by name; empty unless a build of ``programs`` is installed."""
     if os.environ.get("DUALCAY_NATIVE") == "0":
         return {}
-    name = PACKAGE + module.removeprefix(__package__)
+    name = PACKAGE + module.removeprefix(__name__.rpartition(".")[0])
     try:
         found = importlib.import_module(name)
     except ModuleNotFoundError as error:

@@ -8,15 +8,16 @@ from __future__ import annotations
 import math
 import sys
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ._arguments import finite, increasing, require_one_of
+from ._arguments import FRAMES, Frame, finite, increasing, require_one_of
 from ._branches import precision, require_symmetric
 from ._kernel import Array
 from ._motion import Motion, MotionError
+from ._tools import PoseModule
 from ._twist import twist_of
 
 if TYPE_CHECKING:
@@ -26,10 +27,11 @@ Progress = Callable[[float], object]
 
 
 def propagate(
-    module: Any, v0: ArrayLike, twist: Callable[[float], ArrayLike] | ArrayLike, t: ArrayLike, *, frame: str = "space",
-    method: str = "lie", rtol: float = 1e-10, atol: float = 1e-12, covariance: ArrayLike | None = None,
-    noise: ArrayLike | None = None, max_step: float = math.inf, progress: Progress | bool | None = None,
-    integrator: str = "DOP853", knots: ArrayLike | None = None,
+    module: PoseModule, v0: ArrayLike, twist: Callable[[float], ArrayLike] | ArrayLike, t: ArrayLike, *,
+    frame: Frame = "space", method: Literal["lie", "chart"] = "lie", rtol: float = 1e-10, atol: float = 1e-12,
+    covariance: ArrayLike | None = None, noise: ArrayLike | None = None, max_step: float = math.inf,
+    progress: Progress | bool | None = None, integrator: Literal["DOP853", "RK45", "RK23"] = "DOP853",
+    knots: ArrayLike | None = None,
 ) -> Motion:  # fmt: skip
     """Integrate ``Ṙ = skew(ω) R``, or ``Ṙ = R skew(ω)`` in the body frame, for a given dual twist ω; CP23 (70), (74).
 
@@ -102,7 +104,7 @@ def propagate(
         raise ImportError('dualcay.propagate needs SciPy: pip install "scipy>=1.16"') from error
     if not hasattr(module, "from_exponential") or len(module.identity()) != 6:
         raise TypeError(f"module must be a kernel module of poses, as cayley2 is, got {module!r}")
-    for name, value, allowed in (("frame", frame, ("space", "body")), ("method", method, tuple(FORMS)),
+    for name, value, allowed in (("frame", frame, FRAMES), ("method", method, tuple(FORMS)),
                                  ("integrator", integrator, INTEGRATORS)):  # fmt: skip
         require_one_of(name, value, allowed)
     for name, number in (("rtol", rtol), ("atol", atol), ("max_step", max_step)):

@@ -295,7 +295,8 @@ def constants(texts: tuple[str, ...], dtype: np.dtype[Any]) -> tuple[Any, ...]:
     """Return decimal constants as floats of the precision of a dtype, or as exact fractions for objects."""
     if dtype.hasobject:
         return tuple(map(Fraction, texts))
-    return tuple(map(np.longdouble if dtype == np.longdouble else float, texts))
+    number: Any = np.longdouble if dtype == np.longdouble else float
+    return tuple(map(number, texts))
 
 
 def unchanged(chart: Chart, axis: int, out: Array | None, v: ArrayLike) -> Array:

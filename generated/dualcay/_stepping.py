@@ -12,7 +12,7 @@ from math import pi
 from typing import Any, Protocol
 
 import numpy as np
-from scipy import integrate
+from scipy import integrate  # type: ignore[import, unused-ignore]
 
 from ._derived import LOCAL, normalized, product
 from ._geometry import KERNELS

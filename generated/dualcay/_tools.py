@@ -5,15 +5,70 @@
 
 from __future__ import annotations
 
-from typing import Any
+from collections.abc import Callable
+from typing import Any, Protocol, TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ._chart import Axis
 from ._runtime import filled
 
+Function: TypeAlias = Callable[..., Any]
 
-def convert(v: ArrayLike, source: Any, target: Any, *, axis: int = -1, out: NDArray[Any] | None = None) -> NDArray[Any]:
+
+class ChartModule(Protocol):
+    """Type of kernel modules, of poses or of rotations alone, in this or another package, for type checkers.
+
+    Examples
+    --------
+    >>> from dualcay import ChartModule, cayley2
+    >>> def edge(chart: ChartModule) -> float:
+    ...     return chart.singular_angles()[-1]
+    >>> round(edge(cayley2), 4)
+    6.2832
+    """
+
+    __name__: str
+    singular_angles: Callable[[], tuple[float, ...]]
+    principal: Function
+    quaternion: Function
+    from_quaternion: Function
+    tensor: Function
+    from_tensor: Function
+    to_exponential: Function
+    from_exponential: Function
+    compose: Function
+    between: Function
+    inverse: Function
+    twist: Function
+    rate: Function
+    retract: Function
+    local: Function
+    identity: Function
+    random: Function
+    adjoint: Function
+    body_local: Function
+    body_retract: Function
+    body_rate: Function
+    body_tangent_inv: Function
+    body_local_jacobians: Function
+    compose_jacobians: Function
+    between_jacobians: Function
+    transform_point: Function
+    transform_point_jacobians: Function
+
+
+class PoseModule(ChartModule, Protocol):
+    """Type of kernel modules of poses, for type checkers."""
+
+    pose: Function
+    from_pose: Function
+
+
+def convert(
+    v: ArrayLike, source: ChartModule, target: ChartModule, *, axis: Axis = -1, out: NDArray[Any] | None = None
+) -> NDArray[Any]:
     """Return the vector of another chart for the same pose, on the same branch: ``φ₂(α) u`` of ``v = φ₁(α) u``.
 
     Parameters
@@ -50,7 +105,9 @@ def convert(v: ArrayLike, source: Any, target: Any, *, axis: int = -1, out: NDAr
     return found
 
 
-def convert_jacobian(v: ArrayLike, source: Any, target: Any, *, axis: int = -1, out: NDArray[Any] | None = None) -> NDArray[Any]:
+def convert_jacobian(
+    v: ArrayLike, source: ChartModule, target: ChartModule, *, axis: Axis = -1, out: NDArray[Any] | None = None
+) -> NDArray[Any]:
     """Return the derivative of ``w = convert(v, source, target)`` by v, ``T₂(w)⁻¹ T₁(v)``.
 
     Both vectors have one pose, so their rates have one twist, also where ``convert`` changes the branch. With it a

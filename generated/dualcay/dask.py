@@ -14,14 +14,10 @@ from typing import Any
 
 import numpy as np
 
+from ._chart import Axis
 from ._checks import LAWS, ROTATION_LAWS, Law, require
 from ._kernel import Array, Shape
 from ._runtime import as_array, batch_shape
-
-try:
-    import dask.array as da
-except ImportError as error:
-    raise ImportError('dualcay.dask needs Dask: pip install "dask[array]"') from error
 
 __all__ = ["apply"]
 
@@ -147,7 +143,7 @@ LAWS_OF = {"PoseKernels": LAWS, "RotationKernels": ROTATION_LAWS}
 """Conditions of arguments, by interface and function."""
 
 
-def apply(kernel: Callable[..., Any], *arrays: Any, axis: int = -1, **options: Any) -> Any:
+def apply(kernel: Callable[..., Any], *arrays: Any, axis: Axis = -1, **options: Any) -> Any:
     """Return the lazy result of a kernel on Dask arrays, through ``dask.array.apply_gufunc``.
 
     Shapes and dtypes are those of the kernel on NumPy arrays, and known without computing.
@@ -193,6 +189,7 @@ def apply(kernel: Callable[..., Any], *arrays: Any, axis: int = -1, **options: A
     >>> poses.shape, poses.dtype, poses.chunks[0]
     ((1000, 4, 4), dtype('float64'), (300, 300, 300, 100))
     """
+    da = _dask()
     if "out" in options:
         raise TypeError("out cannot be given: Dask makes the arrays of results")
     signature = _signature(kernel)
@@ -216,6 +213,14 @@ def apply(kernel: Callable[..., Any], *arrays: Any, axis: int = -1, **options: A
     sizes = {str(size): size for part in results for size in part}
     run = partial(_run, kernel, parts, results, axis, options)
     return da.apply_gufunc(run, signature, *blocked, axes=axes, output_sizes=sizes, meta=meta, allow_rechunk=True)
+
+
+def _dask() -> Any:
+    try:
+        import dask.array  # type: ignore[import, unused-ignore]
+    except ImportError as error:
+        raise ImportError('dualcay.dask needs Dask: pip install "dask[array]"') from error
+    return dask.array
 
 
 def _signature(kernel: Callable[..., Any]) -> str:

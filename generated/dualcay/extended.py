@@ -17,6 +17,7 @@ from typing import Any, TypeVar
 import numpy as np
 from numpy.typing import ArrayLike
 
+from ._chart import Axis
 from ._checks import LAWS, Components, Law, require
 from ._interface import PoseKernels
 from ._kernel import Array, Shape
@@ -74,13 +75,13 @@ def _sections(returns: str, domain: str, example: str) -> Callable[[F], F]:
 
 
 @cache
-def _place(part: int, width: int, axes: int, axis: int) -> tuple[Any, ...]:
+def _place(part: int, width: int, axes: int, axis: Axis) -> tuple[Any, ...]:
     """Return the index of the pose with one dual part: in a vector (one axis), or in a matrix (two)."""
     grid = np.ix_(*[np.r_[:3, 3 + width * part : 3 + width * (part + 1)]] * axes)
     return (*grid, ...) if axis == 0 else (..., *grid)
 
 
-def _glued(poses: list[Array], width: int, axes: int, axis: int, out: Array | None = None) -> Array:
+def _glued(poses: list[Array], width: int, axes: int, axis: Axis, out: Array | None = None) -> Array:
     """Return the array that holds results for poses, whose real parts are equal; ``out`` filled with it if given."""
     first, size = poses[0], (3 + width * len(poses),) * axes
     full = size + first.shape[axes:] if axis == 0 else first.shape[: first.ndim - axes] + size
@@ -90,7 +91,7 @@ def _glued(poses: list[Array], width: int, axes: int, axis: int, out: Array | No
     return np.asarray(filled(found, out))
 
 
-def _length(name: str, value: ArrayLike, axes: int, axis: int, fixed: str, width: int) -> int:
+def _length(name: str, value: ArrayLike, axes: int, axis: Axis, fixed: str, width: int) -> int:
     """Return the number of components along each component axis; raise ValueError unless it belongs to a k >= 1."""
     array = as_array(name, value, (), axis)
     found: Shape = array.shape[:axes] if axis == 0 else array.shape[max(array.ndim - axes, 0) :]
@@ -157,32 +158,32 @@ class ExtendedKernels:
     def __reduce__(self) -> tuple[Any, ...]:
         return _kernels_of, (self.poses.__name__,)
 
-    def _each(self, name: str, axis: int, arguments: dict[str, ArrayLike]) -> list[Any]:
+    def _each(self, name: str, axis: Axis, arguments: dict[str, ArrayLike]) -> list[Any]:
         """Return the results of a function of poses for each dual part."""
         n = _length(*next(iter(arguments.items())), 1, axis, "3 + 3k", PART)
         arrays = [as_array(argument, value, (n,), axis) for argument, value in arguments.items()]
         parts = [_place(part, PART, 1, axis) for part in range(n // 3 - 1)]
         return [getattr(self.poses, name)(*(array[at] for array in arrays), axis=axis) for at in parts]
 
-    def _run(self, name: str, axes: int, axis: int, out: Array | None, **arguments: ArrayLike) -> Array:
+    def _run(self, name: str, axes: int, axis: Axis, out: Array | None, **arguments: ArrayLike) -> Array:
         return _glued(self._each(name, axis, arguments), PART, axes, axis, out)
 
-    def _pair(self, name: str, axis: int, **arguments: ArrayLike) -> tuple[Array, ...]:
+    def _pair(self, name: str, axis: Axis, **arguments: ArrayLike) -> tuple[Array, ...]:
         return tuple(_glued([*one], PART, 2, axis) for one in zip(*self._each(name, axis, arguments)))
 
-    def _operator(self, name: str, axis: int, out: Array | None, v: ArrayLike) -> Array:
+    def _operator(self, name: str, axis: Axis, out: Array | None, v: ArrayLike) -> Array:
         first, last = ((0, 1, 2), (-3, -2, -1)) if axis == 0 else ((), ())
         matrices = [matrix6(np.moveaxis(D, first, last)) for D in self._each(name, axis, {"v": v})]
         return _glued([np.moveaxis(M, last[1:], first[:2]) for M in matrices], PART, 2, axis, out)
 
     @_sections("T", EVERY, "cayley2.pose(cayley2.inverse(v)) @ cayley2.pose(v), np.eye(5)")
-    def pose(self, v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+    def pose(self, v: ArrayLike, *, axis: Axis = -1, out: Array | None = None) -> Array:
         """Return the matrix X of v, CP23 (16) of (57): position ``Re(T) v°`` for each dual part v°."""
         return _glued(self._each("pose", axis, {"v": v}), COLUMN, 2, axis, out)
 
     @_sections("v", PRINCIPAL, "cayley2.from_pose(cayley2.pose(v)), v")
     def from_pose(
-        self, T: ArrayLike, *, axis: int = -1, out: Array | None = None, check: bool | float = False
+        self, T: ArrayLike, *, axis: Axis = -1, out: Array | None = None, check: bool | float = False
     ) -> Array:
         """Return the principal vector of a matrix X; ``check`` is as for poses, and reads all of the last rows."""
         n = _length("T", T, 2, axis, "3 + k", COLUMN)
@@ -197,142 +198,142 @@ class ExtendedKernels:
         return np.zeros(3 + 3 * k)
 
     @_sections("v", EVERY, "cayley2.inverse(v), -v")
-    def inverse(self, v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+    def inverse(self, v: ArrayLike, *, axis: Axis = -1, out: Array | None = None) -> Array:
         """Return the vector −v of ``X(v)⁻¹``."""
         return self._run("inverse", 1, axis, out, v=v)
 
     @_sections("v", PRINCIPAL, "cayley2.pose(cayley2.compose(w, v)), cayley2.pose(w) @ cayley2.pose(v)")
-    def compose(self, v2: ArrayLike, v1: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+    def compose(self, v2: ArrayLike, v1: ArrayLike, *, axis: Axis = -1, out: Array | None = None) -> Array:
         """Return the principal vector of ``X(v2) X(v1)``, CP23 (58); with v1 = 0, that of X(v2)."""
         return self._run("compose", 1, axis, out, v2=v2, v1=v1)
 
     @_sections("v", PRINCIPAL, "cayley2.compose(v, cayley2.between(w, v)), w")
-    def between(self, v2: ArrayLike, v1: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+    def between(self, v2: ArrayLike, v1: ArrayLike, *, axis: Axis = -1, out: Array | None = None) -> Array:
         """Return the principal vector of ``X(v1)⁻¹ X(v2)``."""
         return self._run("between", 1, axis, out, v2=v2, v1=v1)
 
     @_sections("w", "Angle from 0 to the edge of the chart.", "cayley2.from_exponential(cayley2.to_exponential(v)), v")
-    def to_exponential(self, v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+    def to_exponential(self, v: ArrayLike, *, axis: Axis = -1, out: Array | None = None) -> Array:
         """Return the exponential coordinates ``log X(v)`` on the branch of v."""
         return self._run("to_exponential", 1, axis, out, v=v)
 
     @_sections("v", "NaN if no branch reaches the angle.", "cayley2.to_exponential(cayley2.from_exponential(v)), v")
-    def from_exponential(self, w: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+    def from_exponential(self, w: ArrayLike, *, axis: Axis = -1, out: Array | None = None) -> Array:
         """Return the vector of ``exp(w)``, on the branch of its angle if the chart has it."""
         return self._run("from_exponential", 1, axis, out, w=w)
 
     @_sections(MATRIX, SHORT, "cayley2.compose_jacobians(w, v)[1] @ u, slope(lambda v: cayley2.compose(w, v))")
-    def compose_jacobians(self, v2: ArrayLike, v1: ArrayLike, *, axis: int = -1) -> tuple[Array, ...]:
+    def compose_jacobians(self, v2: ArrayLike, v1: ArrayLike, *, axis: Axis = -1) -> tuple[Array, ...]:
         """Return the derivatives of ``compose(v2, v1)`` by v2 and by v1."""
         return self._pair("compose_jacobians", axis, v2=v2, v1=v1)
 
     @_sections(MATRIX, SHORT, "cayley2.between_jacobians(w, v)[1] @ u, slope(lambda v: cayley2.between(w, v))")
-    def between_jacobians(self, v2: ArrayLike, v1: ArrayLike, *, axis: int = -1) -> tuple[Array, ...]:
+    def between_jacobians(self, v2: ArrayLike, v1: ArrayLike, *, axis: Axis = -1) -> tuple[Array, ...]:
         """Return the derivatives of ``between(v2, v1)`` by v2 and by v1."""
         return self._pair("between_jacobians", axis, v2=v2, v1=v1)
 
     @_sections(MATRIX, EVERY, "cayley2.adjoint(v) @ cayley2.body_twist(v, u), cayley2.twist(v, u)")
-    def adjoint(self, v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+    def adjoint(self, v: ArrayLike, *, axis: Axis = -1, out: Array | None = None) -> Array:
         """Return the matrix A from twists in the body frame to twists in space: ``hat(A ω_B) = X hat(ω_B) X⁻¹``."""
         return self._run("adjoint", 2, axis, out, v=v)
 
     @_sections(MATRIX, EVERY, "cayley2.tangent(v) @ u, cayley2.twist(v, u)")
-    def tangent(self, v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+    def tangent(self, v: ArrayLike, *, axis: Axis = -1, out: Array | None = None) -> Array:
         """Return the matrix from rates of v to twists in the space frame, CP23 (88): ``ω = T v̇``."""
         return self._operator("tangent", axis, out, v=v)
 
     @_sections(MATRIX, POLES, "cayley2.tangent_inv(v) @ u, cayley2.rate(v, u)")
-    def tangent_inv(self, v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+    def tangent_inv(self, v: ArrayLike, *, axis: Axis = -1, out: Array | None = None) -> Array:
         """Return the matrix from twists in the space frame to rates of v, CP23 (89): ``v̇ = T⁻¹ ω``."""
         return self._operator("tangent_inv", axis, out, v=v)
 
     @_sections("omega", EVERY, "cayley2.twist(v, cayley2.rate(v, u)), u")
-    def twist(self, v: ArrayLike, v_dot: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+    def twist(self, v: ArrayLike, v_dot: ArrayLike, *, axis: Axis = -1, out: Array | None = None) -> Array:
         """Return the twist in the space frame from the rate of v, CP23 (86): ``ω = T v̇``."""
         return self._run("twist", 1, axis, out, v=v, v_dot=v_dot)
 
     @_sections("v_dot", POLES, "cayley2.rate(v, cayley2.twist(v, u)), u")
-    def rate(self, v: ArrayLike, omega: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+    def rate(self, v: ArrayLike, omega: ArrayLike, *, axis: Axis = -1, out: Array | None = None) -> Array:
         """Return the rate of v from the twist in the space frame, CP23 (87), (90), (91): ``v̇ = T⁻¹ ω``."""
         return self._run("rate", 1, axis, out, v=v, omega=omega)
 
     @_sections(MATRIX, EVERY, "cayley2.twist_jacobian(v, w) @ u, slope(lambda v: cayley2.twist(v, w))")
-    def twist_jacobian(self, v: ArrayLike, v_dot: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+    def twist_jacobian(self, v: ArrayLike, v_dot: ArrayLike, *, axis: Axis = -1, out: Array | None = None) -> Array:
         """Return the derivative of ``twist(v, v_dot)`` by v."""
         return self._run("twist_jacobian", 2, axis, out, v=v, v_dot=v_dot)
 
     @_sections(MATRIX, POLES, "cayley2.rate_jacobian(v, w) @ u, slope(lambda v: cayley2.rate(v, w))")
-    def rate_jacobian(self, v: ArrayLike, omega: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+    def rate_jacobian(self, v: ArrayLike, omega: ArrayLike, *, axis: Axis = -1, out: Array | None = None) -> Array:
         """Return the derivative of ``rate(v, omega)`` by v."""
         return self._run("rate_jacobian", 2, axis, out, v=v, omega=omega)
 
     @_sections("v", NEAREST, "cayley2.retract(v, w), cayley2.compose(cayley2.from_exponential(w), v)")
-    def retract(self, v: ArrayLike, delta: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+    def retract(self, v: ArrayLike, delta: ArrayLike, *, axis: Axis = -1, out: Array | None = None) -> Array:
         """Return the vector of ``exp(δ) X(v)``."""
         return self._run("retract", 1, axis, out, v=v, delta=delta)
 
     @_sections("delta", SHORT, "cayley2.local(cayley2.retract(v, w), v), w")
-    def local(self, v2: ArrayLike, v1: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+    def local(self, v2: ArrayLike, v1: ArrayLike, *, axis: Axis = -1, out: Array | None = None) -> Array:
         """Return the step δ from v1 to v2: ``X(v2) = exp(δ) X(v1)``."""
         return self._run("local", 1, axis, out, v2=v2, v1=v1)
 
     @_sections(MATRIX, ENDS, "cayley2.retract_jacobians(v, w)[0] @ u, slope(lambda v: cayley2.retract(v, w))")
-    def retract_jacobians(self, v: ArrayLike, delta: ArrayLike, *, axis: int = -1) -> tuple[Array, ...]:
+    def retract_jacobians(self, v: ArrayLike, delta: ArrayLike, *, axis: Axis = -1) -> tuple[Array, ...]:
         """Return the derivatives of ``retract(v, delta)`` by v and by δ."""
         return self._pair("retract_jacobians", axis, v=v, delta=delta)
 
     @_sections(MATRIX, SHORT, "cayley2.local_jacobians(w, v)[1] @ u, slope(lambda v: cayley2.local(w, v))")
-    def local_jacobians(self, v2: ArrayLike, v1: ArrayLike, *, axis: int = -1) -> tuple[Array, ...]:
+    def local_jacobians(self, v2: ArrayLike, v1: ArrayLike, *, axis: Axis = -1) -> tuple[Array, ...]:
         """Return the derivatives of ``local(v2, v1)`` by v2 and by v1."""
         return self._pair("local_jacobians", axis, v2=v2, v1=v1)
 
     @_sections(MATRIX, EVERY, "cayley2.body_tangent(v) @ u, cayley2.body_twist(v, u)")
-    def body_tangent(self, v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+    def body_tangent(self, v: ArrayLike, *, axis: Axis = -1, out: Array | None = None) -> Array:
         """Return the matrix from rates of v to twists in the body frame, CP23 (86): ``ω_B = Tᵀ v̇``."""
         return self._operator("body_tangent", axis, out, v=v)
 
     @_sections(MATRIX, POLES, "cayley2.body_tangent_inv(v) @ u, cayley2.body_rate(v, u)")
-    def body_tangent_inv(self, v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+    def body_tangent_inv(self, v: ArrayLike, *, axis: Axis = -1, out: Array | None = None) -> Array:
         """Return the matrix from twists in the body frame to rates of v, CP23 (91): ``v̇ = T⁻ᵀ ω_B``."""
         return self._operator("body_tangent_inv", axis, out, v=v)
 
     @_sections("omega", EVERY, "cayley2.body_twist(v, cayley2.body_rate(v, u)), u")
-    def body_twist(self, v: ArrayLike, v_dot: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+    def body_twist(self, v: ArrayLike, v_dot: ArrayLike, *, axis: Axis = -1, out: Array | None = None) -> Array:
         """Return the twist in the body frame from the rate of v, CP23 (86): ``ω_B = Tᵀ v̇``."""
         return self._run("body_twist", 1, axis, out, v=v, v_dot=v_dot)
 
     @_sections("v_dot", POLES, "cayley2.body_rate(v, cayley2.body_twist(v, u)), u")
-    def body_rate(self, v: ArrayLike, omega: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+    def body_rate(self, v: ArrayLike, omega: ArrayLike, *, axis: Axis = -1, out: Array | None = None) -> Array:
         """Return the rate of v from the twist in the body frame, CP23 (87), (90), (91): ``v̇ = T⁻ᵀ ω_B``."""
         return self._run("body_rate", 1, axis, out, v=v, omega=omega)
 
     @_sections(MATRIX, EVERY, "cayley2.body_twist_jacobian(v, w) @ u, slope(lambda v: cayley2.body_twist(v, w))")
-    def body_twist_jacobian(self, v: ArrayLike, v_dot: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+    def body_twist_jacobian(self, v: ArrayLike, v_dot: ArrayLike, *, axis: Axis = -1, out: Array | None = None) -> Array:
         """Return the derivative of ``body_twist(v, v_dot)`` by v."""
         return self._run("body_twist_jacobian", 2, axis, out, v=v, v_dot=v_dot)
 
     @_sections(MATRIX, POLES, "cayley2.body_rate_jacobian(v, w) @ u, slope(lambda v: cayley2.body_rate(v, w))")
-    def body_rate_jacobian(self, v: ArrayLike, omega: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+    def body_rate_jacobian(self, v: ArrayLike, omega: ArrayLike, *, axis: Axis = -1, out: Array | None = None) -> Array:
         """Return the derivative of ``body_rate(v, omega)`` by v."""
         return self._run("body_rate_jacobian", 2, axis, out, v=v, omega=omega)
 
     @_sections("v", NEAREST, "cayley2.body_retract(v, w), cayley2.compose(v, cayley2.from_exponential(w))")
-    def body_retract(self, v: ArrayLike, delta: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+    def body_retract(self, v: ArrayLike, delta: ArrayLike, *, axis: Axis = -1, out: Array | None = None) -> Array:
         """Return the vector of ``X(v) exp(δ)``."""
         return self._run("body_retract", 1, axis, out, v=v, delta=delta)
 
     @_sections("delta", SHORT, "cayley2.body_local(cayley2.body_retract(v, w), v), w")
-    def body_local(self, v2: ArrayLike, v1: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+    def body_local(self, v2: ArrayLike, v1: ArrayLike, *, axis: Axis = -1, out: Array | None = None) -> Array:
         """Return the step δ from v1 to v2: ``X(v2) = X(v1) exp(δ)``."""
         return self._run("body_local", 1, axis, out, v2=v2, v1=v1)
 
     @_sections(MATRIX, ENDS, "cayley2.body_retract_jacobians(v, w)[0] @ u, slope(lambda v: cayley2.body_retract(v, w))")
-    def body_retract_jacobians(self, v: ArrayLike, delta: ArrayLike, *, axis: int = -1) -> tuple[Array, ...]:
+    def body_retract_jacobians(self, v: ArrayLike, delta: ArrayLike, *, axis: Axis = -1) -> tuple[Array, ...]:
         """Return the derivatives of ``body_retract(v, delta)`` by v and by δ."""
         return self._pair("body_retract_jacobians", axis, v=v, delta=delta)
 
     @_sections(MATRIX, SHORT, "cayley2.body_local_jacobians(w, v)[1] @ u, slope(lambda v: cayley2.body_local(w, v))")
-    def body_local_jacobians(self, v2: ArrayLike, v1: ArrayLike, *, axis: int = -1) -> tuple[Array, ...]:
+    def body_local_jacobians(self, v2: ArrayLike, v1: ArrayLike, *, axis: Axis = -1) -> tuple[Array, ...]:
         """Return the derivatives of ``body_local(v2, v1)`` by v2 and by v1."""
         return self._pair("body_local_jacobians", axis, v2=v2, v1=v1)
 
@@ -343,11 +344,15 @@ def _kernels_of(module: str) -> ExtendedKernels:
     return ExtendedKernels(importlib.import_module(module))
 
 
+def _package() -> Any:
+    return importlib.import_module(__name__.rpartition(".")[0])
+
+
 def __getattr__(name: str) -> ExtendedKernels:
-    if name.startswith("_") or not hasattr(found := getattr(importlib.import_module(__package__), name), "KERNELS"):
+    if name.startswith("_") or not hasattr(found := getattr(_package(), name), "KERNELS"):
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
     return _kernels_of(found.__name__)
 
 
 def __dir__() -> list[str]:
-    return sorted({*__all__, *importlib.import_module(__package__)._modules()})
+    return sorted({*__all__, *_package()._modules()})

@@ -313,7 +313,7 @@ def from_ros_message(module: Any, message: Any, branch: int = 0, *, check: bool 
 def _scipy(name: str) -> Any:
     """Return a class of SciPy; raise ImportError with the command that installs it."""
     try:
-        from scipy.spatial import transform
+        from scipy.spatial import transform  # type: ignore[import, unused-ignore]
 
         return getattr(transform, name)
     except (ImportError, AttributeError) as error:

@@ -49,7 +49,7 @@ class ArrayApi(PythonTarget):
     """Target that imports no array library and accepts the arrays of any."""
 
     name = "array-api"
-    options = "axis: int = -1"
+    options = "axis: Axis = -1"
     files = (*PythonTarget.files, "_jax.py", "_libraries.py", "_rules.py", "_torch.py")
 
     def shared(self) -> dict[str, Callable[[], Data]]:

@@ -100,7 +100,7 @@ class Numba(PythonTarget):
     """Target that Numba compiles, on NumPy arrays."""
 
     name = "numba"
-    options = "axis: int = -1, out: Array | None = None, parallel: bool = False"
+    options = "axis: Axis = -1, out: Array | None = None, parallel: bool = False"
     files = (*PythonTarget.files, "_compiled.py")
 
     def shared(self) -> dict[str, Callable[[], Data]]:

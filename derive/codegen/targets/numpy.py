@@ -22,7 +22,7 @@ class Numpy(PythonTarget):
     """Target of the committed kernels."""
 
     name = "numpy"
-    options = "axis: int = -1, out: Array | None = None"
+    options = "axis: Axis = -1, out: Array | None = None"
     files = (
         *PythonTarget.files, "_arguments.py", "_covariances.py", "_curve.py", "_factors.py", "_kernel.py", "_means.py",
         "_motion.py", "_multiple.py", "_native.py", "_numbers.py", "_other_vectors.py", "_prepared.py", "_program.py",

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import ast
 from collections import Counter
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
@@ -132,6 +132,13 @@ class PythonTarget(Target):
         names = ("definitions", "domain", "singular_angles", "overflow", "largest", "turns", "returns")
         found = {name: getattr(facts, name) for name in names}
         return {**described(facts, POSES), **found, "ends": facts.chart.ends, **self.programs(facts)}
+
+    def index(self, names: Collection[str]) -> Mapping[str, tuple[str, Data]]:
+        parts = {table: self.init(table)["parts"] for table in self.tables}
+        return {
+            inside(table, "_modules.pyi"): ("python/_modules.pyi", {"names": sorted([*names, *parts[table]])})
+            for table in self.tables
+        }
 
     def companions(self, facts: Facts) -> Mapping[str, tuple[str, Data]]:
         """Return the module of the chart for rotations, which uses scalar programs of the module for poses."""

@@ -21,11 +21,13 @@ __all__ = ["backend"]
 
 
 def _modules() -> list[str]:
-    found = (info.name for info in pkgutil.iter_modules(__path__) if not info.ispkg)
+    found = (info.name for info in pkgutil.iter_modules(__path__) if not info.ispkg)  # noqa: F405
     return sorted(name for name in found if not name.startswith("_"))
 
 
-if not TYPE_CHECKING:  # type checkers find the modules in the folder and must see no other name
+if TYPE_CHECKING:  # type checkers know the modules in the folder and no other name
+    from ._modules import *  # noqa: F403
+else:
 
     def __getattr__(name: str) -> Any:
         if name in _modules():

@@ -5,10 +5,13 @@
 
 from __future__ import annotations
 
+from typing import overload
+
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from .._branches import call_branch, returned, shifted, shifted_jacobian, switched
+from .._chart import Axis
 from .._checks import ROTATION_LAWS as LAWS
 from .._checks import require
 from .._interface import Kernels
@@ -50,7 +53,7 @@ class RotationKernels(Kernels):
 
     # --- rotations --------------------------------------------------------------------------------------------------
 
-    def quaternion(self, v: ArrayLike, *, axis: int = -1, out: Array | None = None, scalar_first: bool = True) -> Array:
+    def quaternion(self, v: ArrayLike, *, axis: Axis = -1, out: Array | None = None, scalar_first: bool = True) -> Array:
         r"""Return the unit quaternion of v, CP23 (50), (55).
 
         .. math::
@@ -80,7 +83,7 @@ class RotationKernels(Kernels):
         found = call(self._chart, "quaternion", axis, None, v)
         return to_scalar_last(found, 4, axis, out)
 
-    def tensor(self, v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+    def tensor(self, v: ArrayLike, *, axis: Axis = -1, out: Array | None = None) -> Array:
         r"""Return the rotation matrix R of v, CP23 (57).
 
         .. math::
@@ -107,7 +110,7 @@ class RotationKernels(Kernels):
         """
         return call(self._chart, "tensor", axis, out, v)
 
-    def from_angle_axis(self, angle: ArrayLike, u: ArrayLike, /, *, axis: int = -1, out: Array | None = None, check: bool | float = False) -> Array:
+    def from_angle_axis(self, angle: ArrayLike, u: ArrayLike, /, *, axis: Axis = -1, out: Array | None = None, check: bool | float = False) -> Array:
         r"""Return the vector ``φ(α) u`` of an angle and an axis.
 
         Parameters
@@ -136,7 +139,7 @@ class RotationKernels(Kernels):
             require(LAWS["from_angle_axis"], u, axis, check)
         return call(self._chart, "from_angle_axis", axis, out, angle, u)
 
-    def to_angle_axis(self, v: ArrayLike, *, axis: int = -1) -> tuple[Array, ...]:
+    def to_angle_axis(self, v: ArrayLike, *, axis: Axis = -1) -> tuple[Array, ...]:
         r"""Return the angle and the axis of v.
 
         They have no derivative at v = 0.
@@ -170,7 +173,7 @@ class RotationKernels(Kernels):
         *,
         max_angle: float | None = None,
         rng: np.random.Generator | int | None = None,
-    ) -> Array:
+    ) -> NDArray[np.float64]:
         """Draw vectors of random rotations.
 
         Parameters
@@ -204,7 +207,7 @@ class RotationKernels(Kernels):
     # --- maps from quaternions and tensors --------------------------------------------------------------------------
 
     def from_quaternion(
-        self, q: ArrayLike, branch: int = 0, *, axis: int = -1, out: Array | None = None, check: bool | float = False, scalar_first: bool = True
+        self, q: ArrayLike, branch: int = 0, *, axis: Axis = -1, out: Array | None = None, check: bool | float = False, scalar_first: bool = True
     ) -> Array:
         r"""Return the vector of a quaternion, CP23 (47), (49).
 
@@ -245,7 +248,7 @@ class RotationKernels(Kernels):
             require(LAWS["from_quaternion"], q, axis, check)
         return call_branch(self._chart, "from_quaternion", branch, axis, out, q)
 
-    def from_tensor(self, R: ArrayLike, branch: int = 0, *, axis: int = -1, out: Array | None = None, check: bool | float = False) -> Array:
+    def from_tensor(self, R: ArrayLike, branch: int = 0, *, axis: Axis = -1, out: Array | None = None, check: bool | float = False) -> Array:
         r"""Return the vector of a tensor, the inverse of ``tensor``.
 
         The axis at the angle π is chosen so that its first component that is not 0 up to rounding is positive.
@@ -297,7 +300,7 @@ class RotationKernels(Kernels):
         """
         return self._chart.singular_angles
 
-    def identity(self) -> Array:
+    def identity(self) -> NDArray[np.float64]:
         """Return the vector of the identity.
 
         Returns
@@ -312,7 +315,7 @@ class RotationKernels(Kernels):
         """
         return np.zeros(3)
 
-    def inverse(self, v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+    def inverse(self, v: ArrayLike, *, axis: Axis = -1, out: Array | None = None) -> Array:
         r"""Return the vector −v of the inverse, ``R(−v) = R(v)ᵀ``.
 
         Parameters
@@ -335,7 +338,7 @@ class RotationKernels(Kernels):
         """
         return call(self._chart, "inverse", axis, out, v)
 
-    def transform_point(self, v: ArrayLike, r: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+    def transform_point(self, v: ArrayLike, r: ArrayLike, *, axis: Axis = -1, out: Array | None = None) -> Array:
         r"""Return a point moved from the body frame to the space frame by v.
 
         Parameters
@@ -359,7 +362,7 @@ class RotationKernels(Kernels):
         """
         return call(self._chart, "transform_point", axis, out, v, r)
 
-    def transform_point_jacobians(self, v: ArrayLike, r: ArrayLike, *, axis: int = -1) -> tuple[Array, ...]:
+    def transform_point_jacobians(self, v: ArrayLike, r: ArrayLike, *, axis: Axis = -1) -> tuple[Array, ...]:
         r"""Return the derivatives of ``transform_point(v, r)`` by v and by r.
 
         Parameters
@@ -388,7 +391,7 @@ class RotationKernels(Kernels):
         found = call(self._chart, "transform_point_jacobians", axis, None, v, r)
         return separate(found, axis, (3, 3), (3, 3))
 
-    def tangent(self, v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+    def tangent(self, v: ArrayLike, *, axis: Axis = -1, out: Array | None = None) -> Array:
         r"""Return the tangent operator T of the space frame, CP23 (88): ``ω = T v̇``.
 
         .. math::
@@ -415,7 +418,7 @@ class RotationKernels(Kernels):
         """
         return call(self._chart, "tangent", axis, out, v)
 
-    def tangent_inv(self, v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+    def tangent_inv(self, v: ArrayLike, *, axis: Axis = -1, out: Array | None = None) -> Array:
         r"""Return the inverse tangent operator of the space frame, CP23 (89): ``v̇ = T⁻¹ ω``.
 
         .. math::
@@ -442,7 +445,7 @@ class RotationKernels(Kernels):
         """
         return call(self._chart, "tangent_inv", axis, out, v)
 
-    def body_tangent(self, v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+    def body_tangent(self, v: ArrayLike, *, axis: Axis = -1, out: Array | None = None) -> Array:
         r"""Return the tangent operator Tᵀ of the body frame, CP23 (86): ``ω_B = Tᵀ v̇ = Rᵀ ω``.
 
         Parameters
@@ -465,7 +468,7 @@ class RotationKernels(Kernels):
         """
         return call(self._chart, "body_tangent", axis, out, v)
 
-    def body_tangent_inv(self, v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+    def body_tangent_inv(self, v: ArrayLike, *, axis: Axis = -1, out: Array | None = None) -> Array:
         r"""Return the inverse tangent operator T⁻ᵀ of the body frame, CP23 (91): ``v̇ = T⁻ᵀ ω_B``.
 
         Parameters
@@ -488,7 +491,7 @@ class RotationKernels(Kernels):
         """
         return call(self._chart, "body_tangent_inv", axis, out, v)
 
-    def adjoint(self, v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+    def adjoint(self, v: ArrayLike, *, axis: Axis = -1, out: Array | None = None) -> Array:
         r"""Return the real matrix that transforms twists and wrenches from the body frame to the space frame.
 
         Parameters
@@ -513,7 +516,7 @@ class RotationKernels(Kernels):
 
     # --- branches, angles, exponential coordinates ------------------------------------------------------------------
 
-    def shadow(self, v: ArrayLike, branch: int = 1, *, axis: int = -1, out: Array | None = None) -> Array:
+    def shadow(self, v: ArrayLike, branch: int = 1, *, axis: Axis = -1, out: Array | None = None) -> Array:
         r"""Return the shadow of v, the vector of R(v) after k branches: ``v_k = φ(α + 2kπ) u``, CP23 (49).
 
         α is the principal angle and u its axis, ``u = sign(p q) v/|v|``.
@@ -544,7 +547,7 @@ class RotationKernels(Kernels):
         """
         return shifted(self._chart, branch, axis, out, v)
 
-    def shadow_jacobian(self, v: ArrayLike, branch: int = 1, *, axis: int = -1, out: Array | None = None) -> Array:
+    def shadow_jacobian(self, v: ArrayLike, branch: int = 1, *, axis: Axis = -1, out: Array | None = None) -> Array:
         r"""Return the derivative of ``shadow(v, branch)`` by v: ``∂v_k/∂v = T(v_k)⁻¹ T(v)``.
 
         The matrix maps rates and covariances of v to the shadow. At whole turns it exists although T has no inverse.
@@ -573,7 +576,7 @@ class RotationKernels(Kernels):
         """
         return shifted_jacobian(self._chart, branch, axis, out, v)
 
-    def principal(self, v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+    def principal(self, v: ArrayLike, *, axis: Axis = -1, out: Array | None = None) -> Array:
         r"""Return the shadow with the smallest rotation angle, in [0, π]; v itself at a tie.
 
         Parameters
@@ -597,7 +600,7 @@ class RotationKernels(Kernels):
         """
         return returned(self._chart, axis, out, v)
 
-    def angle(self, v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+    def angle(self, v: ArrayLike, *, axis: Axis = -1, out: Array | None = None) -> Array:
         r"""Return the angle α of ``v = φ(α) u`` on the branch of v, not folded to [0, π].
 
         Parameters
@@ -621,7 +624,7 @@ class RotationKernels(Kernels):
         """
         return call(self._chart, "angle", axis, out, v)
 
-    def to_exponential(self, v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+    def to_exponential(self, v: ArrayLike, *, axis: Axis = -1, out: Array | None = None) -> Array:
         r"""Return the exponential coordinates α u of ``v = φ(α) u`` on the branch of v, α not folded to [0, π].
 
         Parameters
@@ -645,8 +648,16 @@ class RotationKernels(Kernels):
         """
         return call(self._chart, "to_exponential", axis, out, v)
 
+    @overload
+    def switch(self, v: ArrayLike, *, axis: Axis = -1) -> Array: ...
+    @overload
     def switch(
-        self, v: ArrayLike, v_dot: ArrayLike | None = None, covariance: ArrayLike | None = None, *, axis: int = -1
+        self, v: ArrayLike, v_dot: ArrayLike, covariance: ArrayLike | None = None, *, axis: Axis = -1
+    ) -> tuple[Array, ...]: ...
+    @overload
+    def switch(self, v: ArrayLike, *, covariance: ArrayLike, axis: Axis = -1) -> tuple[Array, ...]: ...
+    def switch(
+        self, v: ArrayLike, v_dot: ArrayLike | None = None, covariance: ArrayLike | None = None, *, axis: Axis = -1
     ) -> Array | tuple[Array, ...]:
         r"""Return the principal vector, with the rate and the covariance that belong to it.
 
@@ -679,7 +690,7 @@ class RotationKernels(Kernels):
         """
         return switched(self, axis, v, v_dot, covariance)
 
-    def from_exponential(self, w: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+    def from_exponential(self, w: ArrayLike, *, axis: Axis = -1, out: Array | None = None) -> Array:
         r"""Return the vector φ(α) u of exponential coordinates α u, on the branch of α if the chart has it.
 
         Parameters
@@ -706,7 +717,7 @@ class RotationKernels(Kernels):
 
     # --- composition ------------------------------------------------------------------------------------------------
 
-    def compose(self, v2: ArrayLike, v1: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+    def compose(self, v2: ArrayLike, v1: ArrayLike, *, axis: Axis = -1, out: Array | None = None) -> Array:
         r"""Return the principal vector of ``R(v2) R(v1)``: v1 acts first, CP23 (58).
 
         Parameters
@@ -730,7 +741,7 @@ class RotationKernels(Kernels):
         """
         return call(self._chart, "compose", axis, out, v2, v1)
 
-    def between(self, v2: ArrayLike, v1: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+    def between(self, v2: ArrayLike, v1: ArrayLike, *, axis: Axis = -1, out: Array | None = None) -> Array:
         r"""Return the principal vector of ``R(v1)⁻¹ R(v2)``, from v1 to v2 in the frame of v1.
 
         Parameters
@@ -753,7 +764,7 @@ class RotationKernels(Kernels):
         """
         return call(self._chart, "between", axis, out, v2, v1)
 
-    def compose_jacobians(self, v2: ArrayLike, v1: ArrayLike, *, axis: int = -1) -> tuple[Array, ...]:
+    def compose_jacobians(self, v2: ArrayLike, v1: ArrayLike, *, axis: Axis = -1) -> tuple[Array, ...]:
         r"""Return the derivatives of ``v = compose(v2, v1)`` by v2 and by v1, on the principal branch.
 
         ``∂v/∂v2 = T(v)⁻¹ T(v2)`` and ``∂v/∂v1 = T(v)⁻¹ R(v2) T(v1)``.
@@ -780,7 +791,7 @@ class RotationKernels(Kernels):
         found = call(self._chart, "compose_jacobians", axis, None, v2, v1)
         return separate(found, axis, JACOBIAN, JACOBIAN)
 
-    def between_jacobians(self, v2: ArrayLike, v1: ArrayLike, *, axis: int = -1) -> tuple[Array, ...]:
+    def between_jacobians(self, v2: ArrayLike, v1: ArrayLike, *, axis: Axis = -1) -> tuple[Array, ...]:
         r"""Return the derivatives of ``between(v2, v1)`` by v2 and by v1, on the principal branch.
 
         Parameters
@@ -805,7 +816,7 @@ class RotationKernels(Kernels):
         found = call(self._chart, "between_jacobians", axis, None, v2, v1)
         return separate(found, axis, JACOBIAN, JACOBIAN)
 
-    def local_jacobians(self, v2: ArrayLike, v1: ArrayLike, *, axis: int = -1) -> tuple[Array, ...]:
+    def local_jacobians(self, v2: ArrayLike, v1: ArrayLike, *, axis: Axis = -1) -> tuple[Array, ...]:
         r"""Return the derivatives of ``δ = local(v2, v1)`` by v2 and by v1, on the principal branch.
 
         ``∂δ/∂v2 = dexp(δ)⁻¹ T(v2)`` and ``∂δ/∂v1 = −dexp(−δ)⁻¹ T(v1)``.
@@ -832,7 +843,7 @@ class RotationKernels(Kernels):
         found = call(self._chart, "local_jacobians", axis, None, v2, v1)
         return separate(found, axis, JACOBIAN, JACOBIAN)
 
-    def body_local_jacobians(self, v2: ArrayLike, v1: ArrayLike, *, axis: int = -1) -> tuple[Array, ...]:
+    def body_local_jacobians(self, v2: ArrayLike, v1: ArrayLike, *, axis: Axis = -1) -> tuple[Array, ...]:
         r"""Return the derivatives of ``δ = body_local(v2, v1)`` by v2 and by v1, on the principal branch.
 
         ``∂δ/∂v2 = dexp(−δ)⁻¹ T(v2)ᵀ`` and ``∂δ/∂v1 = −dexp(δ)⁻¹ T(v1)ᵀ``.
@@ -859,7 +870,7 @@ class RotationKernels(Kernels):
         found = call(self._chart, "body_local_jacobians", axis, None, v2, v1)
         return separate(found, axis, JACOBIAN, JACOBIAN)
 
-    def interpolate(self, v1: ArrayLike, v2: ArrayLike, t: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+    def interpolate(self, v1: ArrayLike, v2: ArrayLike, t: ArrayLike, *, axis: Axis = -1, out: Array | None = None) -> Array:
         r"""Return the vector at t on the motion of constant twist from v1 (t = 0) to v2 (t = 1): ``exp(t δ) R(v1)``.
 
         δ = ``local(v2, v1)`` is the shorter motion, a rotation by at most π (ScLERP; SLERP for rotations).
@@ -892,7 +903,7 @@ class RotationKernels(Kernels):
 
     # --- twists, rates, forces and steps in the space frame -----------------------------------------------------------
 
-    def twist(self, v: ArrayLike, v_dot: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+    def twist(self, v: ArrayLike, v_dot: ArrayLike, *, axis: Axis = -1, out: Array | None = None) -> Array:
         r"""Return the twist in the space frame from the rate of v, CP23 (86): ``ω = T v̇``.
 
         Parameters
@@ -917,7 +928,7 @@ class RotationKernels(Kernels):
         """
         return call(self._chart, "twist", axis, out, v, v_dot, table=SPACE)
 
-    def rate(self, v: ArrayLike, omega: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+    def rate(self, v: ArrayLike, omega: ArrayLike, *, axis: Axis = -1, out: Array | None = None) -> Array:
         r"""Return the rate of v from the twist in the space frame, CP23 (87), (90), (91): ``v̇ = T⁻¹ ω``.
 
         Parameters
@@ -942,7 +953,7 @@ class RotationKernels(Kernels):
         """
         return call(self._chart, "rate", axis, out, v, omega, table=SPACE_INV)
 
-    def tangent_dot(self, v: ArrayLike, v_dot: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+    def tangent_dot(self, v: ArrayLike, v_dot: ArrayLike, *, axis: Axis = -1, out: Array | None = None) -> Array:
         r"""Return the time derivative of the tangent operator T of the space frame.
 
         Parameters
@@ -968,7 +979,7 @@ class RotationKernels(Kernels):
         """
         return call(self._chart, "tangent_dot", axis, out, v, v_dot, table=SPACE)
 
-    def twist_dot(self, v: ArrayLike, v_dot: ArrayLike, v_ddot: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+    def twist_dot(self, v: ArrayLike, v_dot: ArrayLike, v_ddot: ArrayLike, *, axis: Axis = -1, out: Array | None = None) -> Array:
         r"""Return the time derivative of the twist in the space frame: ``T v̈ + dT/dt v̇``.
 
         Parameters
@@ -996,7 +1007,7 @@ class RotationKernels(Kernels):
         """
         return call(self._chart, "twist_dot", axis, out, v, v_dot, v_ddot, table=SPACE)
 
-    def rate_dot(self, v: ArrayLike, omega: ArrayLike, omega_dot: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+    def rate_dot(self, v: ArrayLike, omega: ArrayLike, omega_dot: ArrayLike, *, axis: Axis = -1, out: Array | None = None) -> Array:
         r"""Return v̈ from the twist in the space frame and its derivative: ``T⁻¹ dω/dt + dT⁻¹/dt ω``.
 
         Parameters
@@ -1024,7 +1035,7 @@ class RotationKernels(Kernels):
         """
         return call(self._chart, "rate_dot", axis, out, v, omega, omega_dot, table=SPACE)
 
-    def twist_jacobian(self, v: ArrayLike, v_dot: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+    def twist_jacobian(self, v: ArrayLike, v_dot: ArrayLike, *, axis: Axis = -1, out: Array | None = None) -> Array:
         r"""Return the derivative by v of the twist in the space frame at fixed v̇: ``∂(T v̇)/∂v``.
 
         Parameters
@@ -1049,7 +1060,7 @@ class RotationKernels(Kernels):
         """
         return call(self._chart, "twist_jacobian", axis, out, v, v_dot, table=SPACE)
 
-    def rate_jacobian(self, v: ArrayLike, omega: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+    def rate_jacobian(self, v: ArrayLike, omega: ArrayLike, *, axis: Axis = -1, out: Array | None = None) -> Array:
         r"""Return the derivative by v of the rate of v at a fixed twist in the space frame: ``∂(T⁻¹ ω)/∂v``.
 
         Parameters
@@ -1074,7 +1085,7 @@ class RotationKernels(Kernels):
         """
         return call(self._chart, "rate_jacobian", axis, out, v, omega, table=SPACE)
 
-    def transition(self, v: ArrayLike, v0: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+    def transition(self, v: ArrayLike, v0: ArrayLike, *, axis: Axis = -1, out: Array | None = None) -> Array:
         r"""Return the derivative of v by its initial value v0 in a motion with a given twist in the space frame.
 
         If ``ω = T v̇`` is a given function of time, then ``∂v/∂v0 = T(v)⁻ᵀ T(v0)ᵀ``.
@@ -1101,7 +1112,7 @@ class RotationKernels(Kernels):
         """
         return call(self._chart, "transition", axis, out, v, v0, table=BODY)
 
-    def cotangent(self, v: ArrayLike, z: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+    def cotangent(self, v: ArrayLike, z: ArrayLike, *, axis: Axis = -1, out: Array | None = None) -> Array:
         r"""Return the generalized force of a wrench in the space frame: ``τ = Tᵀ z``.
 
         Parameters
@@ -1127,7 +1138,7 @@ class RotationKernels(Kernels):
         """
         return call(self._chart, "twist", axis, out, v, z, table=BODY, last="z")
 
-    def cotangent_jacobian(self, v: ArrayLike, z: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+    def cotangent_jacobian(self, v: ArrayLike, z: ArrayLike, *, axis: Axis = -1, out: Array | None = None) -> Array:
         r"""Return the derivative by v of the generalized force of a fixed wrench: ``∂(Tᵀ z)/∂v``.
 
         Parameters
@@ -1152,7 +1163,7 @@ class RotationKernels(Kernels):
         """
         return call(self._chart, "twist_jacobian", axis, out, v, z, table=BODY, last="z")
 
-    def retract(self, v: ArrayLike, delta: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+    def retract(self, v: ArrayLike, delta: ArrayLike, *, axis: Axis = -1, out: Array | None = None) -> Array:
         r"""Return the vector after a step δ in the space frame: ``R(w) = exp(δ) R(v)``.
 
         w lies on the branch nearest v: the angles of w and v differ by at most π. Steps thus continue past half a turn.
@@ -1180,7 +1191,7 @@ class RotationKernels(Kernels):
         """
         return call(self._chart, "retract", axis, out, v, delta)
 
-    def retract_jacobians(self, v: ArrayLike, delta: ArrayLike, *, axis: int = -1) -> tuple[Array, ...]:
+    def retract_jacobians(self, v: ArrayLike, delta: ArrayLike, *, axis: Axis = -1) -> tuple[Array, ...]:
         r"""Return the derivatives of ``w = retract(v, delta)`` by v and by δ, on the branch of w.
 
         ``∂w/∂v = T(w)⁻¹ exp(δ) T(v)`` and ``∂w/∂δ = T(w)⁻¹ dexp(δ)``. At δ = 0 they are I and ``tangent_inv(v)``.
@@ -1210,7 +1221,7 @@ class RotationKernels(Kernels):
         found = call(self._chart, "retract_jacobians", axis, None, v, delta)
         return separate(found, axis, JACOBIAN, JACOBIAN)
 
-    def local(self, v2: ArrayLike, v1: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+    def local(self, v2: ArrayLike, v1: ArrayLike, *, axis: Axis = -1, out: Array | None = None) -> Array:
         r"""Return the step δ in the space frame from v1 to v2: ``R(v2) = exp(δ) R(v1)``.
 
         Parameters
@@ -1235,7 +1246,7 @@ class RotationKernels(Kernels):
 
     # --- twists, rates, forces and steps in the body frame ------------------------------------------------------------
 
-    def body_twist(self, v: ArrayLike, v_dot: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+    def body_twist(self, v: ArrayLike, v_dot: ArrayLike, *, axis: Axis = -1, out: Array | None = None) -> Array:
         r"""Return the twist in the body frame from the rate of v, CP23 (86): ``ω_B = Tᵀ v̇``.
 
         Parameters
@@ -1260,7 +1271,7 @@ class RotationKernels(Kernels):
         """
         return call(self._chart, "twist", axis, out, v, v_dot, table=BODY)
 
-    def body_rate(self, v: ArrayLike, omega: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+    def body_rate(self, v: ArrayLike, omega: ArrayLike, *, axis: Axis = -1, out: Array | None = None) -> Array:
         r"""Return the rate of v from the twist in the body frame, CP23 (87), (90), (91): ``v̇ = T⁻ᵀ ω_B``.
 
         Parameters
@@ -1285,7 +1296,7 @@ class RotationKernels(Kernels):
         """
         return call(self._chart, "rate", axis, out, v, omega, table=BODY_INV)
 
-    def body_tangent_dot(self, v: ArrayLike, v_dot: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+    def body_tangent_dot(self, v: ArrayLike, v_dot: ArrayLike, *, axis: Axis = -1, out: Array | None = None) -> Array:
         r"""Return the time derivative of the tangent operator Tᵀ of the body frame.
 
         Parameters
@@ -1311,7 +1322,7 @@ class RotationKernels(Kernels):
         """
         return call(self._chart, "tangent_dot", axis, out, v, v_dot, table=BODY)
 
-    def body_twist_dot(self, v: ArrayLike, v_dot: ArrayLike, v_ddot: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+    def body_twist_dot(self, v: ArrayLike, v_dot: ArrayLike, v_ddot: ArrayLike, *, axis: Axis = -1, out: Array | None = None) -> Array:
         r"""Return the time derivative of the twist in the body frame: ``Tᵀ v̈ + dTᵀ/dt v̇``.
 
         Parameters
@@ -1339,7 +1350,7 @@ class RotationKernels(Kernels):
         """
         return call(self._chart, "twist_dot", axis, out, v, v_dot, v_ddot, table=BODY)
 
-    def body_rate_dot(self, v: ArrayLike, omega: ArrayLike, omega_dot: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+    def body_rate_dot(self, v: ArrayLike, omega: ArrayLike, omega_dot: ArrayLike, *, axis: Axis = -1, out: Array | None = None) -> Array:
         r"""Return v̈ from the twist in the body frame and its derivative: ``T⁻ᵀ dω_B/dt + dT⁻ᵀ/dt ω_B``.
 
         Parameters
@@ -1367,7 +1378,7 @@ class RotationKernels(Kernels):
         """
         return call(self._chart, "rate_dot", axis, out, v, omega, omega_dot, table=BODY)
 
-    def body_twist_jacobian(self, v: ArrayLike, v_dot: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+    def body_twist_jacobian(self, v: ArrayLike, v_dot: ArrayLike, *, axis: Axis = -1, out: Array | None = None) -> Array:
         r"""Return the derivative by v of the twist in the body frame at fixed v̇: ``∂(Tᵀ v̇)/∂v``.
 
         Parameters
@@ -1392,7 +1403,7 @@ class RotationKernels(Kernels):
         """
         return call(self._chart, "twist_jacobian", axis, out, v, v_dot, table=BODY)
 
-    def body_rate_jacobian(self, v: ArrayLike, omega: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+    def body_rate_jacobian(self, v: ArrayLike, omega: ArrayLike, *, axis: Axis = -1, out: Array | None = None) -> Array:
         r"""Return the derivative by v of the rate of v at a fixed twist in the body frame: ``∂(T⁻ᵀ ω_B)/∂v``.
 
         Parameters
@@ -1417,7 +1428,7 @@ class RotationKernels(Kernels):
         """
         return call(self._chart, "rate_jacobian", axis, out, v, omega, table=BODY)
 
-    def body_transition(self, v: ArrayLike, v0: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+    def body_transition(self, v: ArrayLike, v0: ArrayLike, *, axis: Axis = -1, out: Array | None = None) -> Array:
         r"""Return the derivative of v by its initial value v0 in a motion with a given twist in the body frame.
 
         If ``ω_B = Tᵀ v̇`` is a given function of time, then ``∂v/∂v0 = T(v)⁻¹ T(v0)``.
@@ -1444,7 +1455,7 @@ class RotationKernels(Kernels):
         """
         return call(self._chart, "transition", axis, out, v, v0, table=SPACE)
 
-    def body_cotangent(self, v: ArrayLike, z: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+    def body_cotangent(self, v: ArrayLike, z: ArrayLike, *, axis: Axis = -1, out: Array | None = None) -> Array:
         r"""Return the generalized force of a wrench in the body frame: ``τ = T z``.
 
         Parameters
@@ -1470,7 +1481,7 @@ class RotationKernels(Kernels):
         """
         return call(self._chart, "twist", axis, out, v, z, table=SPACE, last="z")
 
-    def body_cotangent_jacobian(self, v: ArrayLike, z: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+    def body_cotangent_jacobian(self, v: ArrayLike, z: ArrayLike, *, axis: Axis = -1, out: Array | None = None) -> Array:
         r"""Return the derivative by v of the generalized force of a fixed wrench: ``∂(T z)/∂v``.
 
         Parameters
@@ -1495,7 +1506,7 @@ class RotationKernels(Kernels):
         """
         return call(self._chart, "twist_jacobian", axis, out, v, z, table=SPACE, last="z")
 
-    def body_retract(self, v: ArrayLike, delta: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+    def body_retract(self, v: ArrayLike, delta: ArrayLike, *, axis: Axis = -1, out: Array | None = None) -> Array:
         r"""Return the vector after a step δ in the body frame: ``R(w) = R(v) exp(δ)``.
 
         w lies on the branch nearest v: the angles of w and v differ by at most π. Steps thus continue past half a turn.
@@ -1523,7 +1534,7 @@ class RotationKernels(Kernels):
         """
         return call(self._chart, "body_retract", axis, out, v, delta)
 
-    def body_retract_jacobians(self, v: ArrayLike, delta: ArrayLike, *, axis: int = -1) -> tuple[Array, ...]:
+    def body_retract_jacobians(self, v: ArrayLike, delta: ArrayLike, *, axis: Axis = -1) -> tuple[Array, ...]:
         r"""Return the derivatives of ``w = body_retract(v, delta)`` by v and by δ, on the branch of w.
 
         ``∂w/∂v = T(w)⁻¹ T(v)`` and ``∂w/∂δ = T(w)⁻¹ R(v) dexp(δ)``. At δ = 0 they are I and ``body_tangent_inv(v)``.
@@ -1553,7 +1564,7 @@ class RotationKernels(Kernels):
         found = call(self._chart, "body_retract_jacobians", axis, None, v, delta)
         return separate(found, axis, JACOBIAN, JACOBIAN)
 
-    def body_local(self, v2: ArrayLike, v1: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+    def body_local(self, v2: ArrayLike, v1: ArrayLike, *, axis: Axis = -1, out: Array | None = None) -> Array:
         r"""Return the step δ in the body frame from v1 to v2: ``R(v2) = R(v1) exp(δ)``.
 
         Parameters

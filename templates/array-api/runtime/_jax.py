@@ -4,13 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from functools import cache, partial
+from importlib import import_module
 from typing import Any
-
-import jax
-import jax.numpy as jnp
 
 from ._chart import Array, Call
 from ._rules import Values, slope_of, text_of, value_of
+
+# type checkers see Any, whether JAX is installed there or not
+jax: Any = import_module("jax")
+jnp: Any = jax.numpy
 
 
 def held(value: Any) -> Any:
@@ -49,16 +51,14 @@ def _chosen(chosen: Array, *arrays: Array) -> Values:
 def carry(slope: Callable[[Values, Values, Values], Values], results: Values, given: Values) -> Sequence[Array]:
     """Return results whose derivative by the given arrays is a rule, a function of results, arguments and rates."""
 
-    @jax.custom_jvp
-    def carried(found: Values, at: Values) -> Values:
-        return found
-
-    @carried.defjvp
-    def _both(values: tuple[Values, Values], rates: tuple[Values, Values]) -> tuple[Values, Values]:
+    def both(values: tuple[Values, Values], rates: tuple[Values, Values]) -> tuple[Values, Values]:
         found = carried(*values)
         return found, list(slope(found, values[1], rates[1]))
 
-    return carried(list(results), list(given))
+    carried = jax.custom_jvp(lambda found, at: found)
+    carried.defjvp(both)
+    kept: Sequence[Array] = carried(list(results), list(given))
+    return kept
 
 
 @cache
@@ -67,20 +67,22 @@ def ruled(kernel_call: Call) -> Callable[..., Array]:
     compiled = jax.custom_jvp(jax.jit(partial(value_of, kernel_call)))
     compiled_slope = jax.jit(partial(slope_of, kernel_call))
 
-    @compiled.defjvp
-    def _both(values: Values, rates: Values) -> tuple[Array, Array]:
+    def both(values: Values, rates: Values) -> tuple[Array, Array]:
         result = compiled(*values)
         # without the barrier, XLA merges each derivative with the calls before it and takes twice the time
         at_result, at_values = jax.lax.optimization_barrier((result, values))
         return result, compiled_slope(at_result, at_values, rates)
 
-    return jax.jit(compiled)
+    compiled.defjvp(both)
+    jitted: Callable[..., Array] = jax.jit(compiled)
+    return jitted
 
 
 @cache
 def unruled(kernel_call: Call, axis: int) -> Callable[..., Array]:
     """Return a kernel without a rule, compiled once for all calls with equal shapes."""
-    return jax.jit(partial(text_of, kernel_call, axis))
+    jitted: Callable[..., Array] = jax.jit(partial(text_of, kernel_call, axis))
+    return jitted
 
 
 def derivative(function: Callable[..., Array], values: Values, rates: Values) -> Array:

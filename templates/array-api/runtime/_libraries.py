@@ -192,7 +192,7 @@ class Followed(Namespace):
 class Torch(Ruled, Followed):
     """Functions of PyTorch with rules."""
 
-    by_text = ("twist", "rate")  # linear in the last argument; backward mode needs their text for that
+    by_text: tuple[str, ...] = ("twist", "rate")  # linear in the last argument; backward mode needs their text for that
 
     @staticmethod
     def own() -> Any:

@@ -233,6 +233,6 @@ def slope_of(kernel_call: Call, result: Array, values: Values, rates: Values) ->
     """Return the derivative of a kernel along the rates of its arguments."""
     at, name = Motions(kernel_call.chart), kernel_call.name
     if name in JACOBIANS:
-        m = functions_of(name, values[0])
+        m: Any = functions_of(name, values[0])
         return m.derivative(lambda *given: columns(at, JACOBIANS[name], given), values, rates)
     return RULES[name](at, kernel_call.table, result, values, rates)

@@ -4,19 +4,21 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from functools import partial
+from importlib import import_module
 from typing import Any
-
-import torch
-from torch.autograd import forward_ad
 
 from ._chart import Array, Call
 from ._rules import Values, slope_of, text_of, value_of
+
+# type checkers see Any, whether PyTorch is installed there or not
+torch: Any = import_module("torch")
+forward_ad: Any = import_module("torch.autograd.forward_ad")
 
 Slope = Callable[[Values, Values, Values], Values]
 """Function of results, arguments and rates that returns the rates of the results, linear in the rates."""
 
 
-class Carry(torch.autograd.Function):
+class Carry(torch.autograd.Function):  # type: ignore[misc]
     """Copies of arrays: the first ``count`` are results with the derivative of a rule, the others its arguments."""
 
     generate_vmap_rule = True
@@ -47,7 +49,7 @@ class Carry(torch.autograd.Function):
             return (*ctx.slope(found, given, moved), *moved)
 
 
-class Compiled(torch.autograd.Function):
+class Compiled(torch.autograd.Function):  # type: ignore[misc]
     """Copies with the derivative of a rule in ``torch.compile``, which follows backward mode alone, and once."""
 
     @staticmethod
@@ -77,11 +79,11 @@ def held(value: Any) -> Any:
 
 def carry(slope: Slope, results: Sequence[Array], given: Sequence[Array]) -> Sequence[Array]:
     """Return results whose derivative by the given arrays is a rule."""
-    if not torch.compiler.is_compiling():
-        return Carry.apply(slope, len(results), *results, *given)[: len(results)]
-    if any(array.requires_grad for array in given):
-        return Compiled.apply(slope, len(results), *results, *given)[: len(results)]
-    return results
+    copying: Any = Compiled if torch.compiler.is_compiling() else Carry
+    if copying is Compiled and not any(array.requires_grad for array in given):
+        return results
+    found: tuple[Array, ...] = copying.apply(slope, len(results), *results, *given)
+    return found[: len(results)]
 
 
 def ruled(kernel_call: Call) -> Callable[..., Array]:
@@ -89,7 +91,7 @@ def ruled(kernel_call: Call) -> Callable[..., Array]:
 
     def run(*given: Array) -> Array:
         result = value_of(kernel_call, *map(held, given))
-        return carry(lambda found, at, rates: (slope_of(kernel_call, *found, at, rates),), [result], given)[0]
+        return carry(lambda found, at, rates: (slope_of(kernel_call, found[0], at, rates),), [result], given)[0]
 
     return run
 

@@ -13,15 +13,18 @@ import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cache, cached_property
+from importlib import import_module
 from types import FunctionType
 from typing import Any, TypeAlias
 
-import numba
 import numpy as np
-from numba import prange as prange
-from numba.extending import intrinsic, overload
-from numba.np.numpy_support import as_dtype
 from numpy.typing import NDArray
+
+# type checkers see Any, whether Numba is installed there or not
+numba: Any = import_module("numba")
+prange: Any = numba.prange
+extending: Any = import_module("numba.extending")
+support: Any = import_module("numba.np.numpy_support")
 
 Array: TypeAlias = NDArray[Any]
 Components: TypeAlias = Sequence[Any] | Array
@@ -39,9 +42,9 @@ def number(value: Any, like: Any) -> Any:
     return value
 
 
-@overload(number)
+@extending.overload(number)
 def _number(value, like):  # type: ignore[no-untyped-def]
-    kind = as_dtype(getattr(like, "dtype", like)).type
+    kind = support.as_dtype(getattr(like, "dtype", like)).type
     return lambda value, like: kind(value)
 
 
@@ -50,7 +53,7 @@ def reciprocal(like: Any, b: Any) -> Any:
     return (like - like + 1) / b
 
 
-@overload(reciprocal)
+@extending.overload(reciprocal)
 def _reciprocal(like, b):  # type: ignore[no-untyped-def]
     return lambda like, b: number(1, like) / b
 
@@ -63,7 +66,7 @@ def where(condition: Any, a: Any, b: Any) -> Any:
     return a if condition else b
 
 
-@intrinsic
+@extending.intrinsic
 def _select(_, condition, a, b):  # type: ignore[no-untyped-def]
     """Emit the select instruction, so that a loop has no jump and can be vectorised."""
 
@@ -73,9 +76,9 @@ def _select(_, condition, a, b):  # type: ignore[no-untyped-def]
     return (a(condition, a, b), generate) if a == b else None
 
 
-@overload(where)
+@extending.overload(where)
 def _where(condition, a, b):  # type: ignore[no-untyped-def]
-    return lambda condition, a, b: _select(condition, a, b)  # type: ignore[call-arg]
+    return lambda condition, a, b: _select(condition, a, b)
 
 
 # --- loops ------------------------------------------------------------------------------------------------------
@@ -206,7 +209,7 @@ class Compiled:
             count = row.__code__.co_argcount
             layout = ",".join([*(f"(a{i})" for i in range(count - 2)), "(m)"]) + "->(m)"
             signature = (numba.from_dtype(dtype)[:],) * count
-            self._ufuncs[dtype] = numba.guvectorize([signature], layout, cache=True)(row)  # type: ignore[no-untyped-call]
+            self._ufuncs[dtype] = numba.guvectorize([signature], layout, cache=True)(row)
         return self._ufuncs[dtype]
 
     def over_rows(self, arrays: Sequence[Components], out: Array, parallel: bool) -> None:

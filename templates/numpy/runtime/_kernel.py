@@ -132,16 +132,13 @@ class _Loop:
             else:
                 rows += [block[i] for i in components(part)]
         rows += self.fixed
-        if self.scattered:
-            staged, spare = _cut(spare, math.prod(self.shape))
-            rows.extend(staged)
-        else:
-            rows += [target[i] for i in components(self.shape)]
+        own, spare = _cut(spare, self.scattered * math.prod(self.shape))
+        rows += own if self.scattered else [target[i] for i in components(self.shape)]
         scratch, masks = _cut(spare, self.program.scratch)
         rows += [*scratch, *self.program.mask_rows(masks)]
         self.program.run(rows)
         if self.scattered:
-            np.copyto(target, staged.reshape(target.shape), casting="same_kind")
+            np.copyto(target, own.reshape(target.shape), casting="same_kind")
 
     def _split(self, memory: Array, shape: Shape) -> Array:
         """Split memory into scratch rows of the given block shape."""

@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 from math import cos, pi
-from typing import Any
+from typing import Any, Literal, overload
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from ._arguments import require_one_of
-from ._covariances import FRAMES
+from ._covariances import FRAMES, FrameOfCovariance
 from ._kernel import Array
 from ._runtime import as_array
+from ._tools import ChartModule
 
 STEPS = 20
 """Largest number of Newton's steps. Four end at rounding from the start that `_start` gives."""
@@ -20,9 +21,20 @@ SEARCH = 1000
 """Largest number of steps towards the middle of rotations."""
 
 
+@overload
 def mean(
-    module: Any, v: ArrayLike, weights: ArrayLike | None = None, *, covariance: bool = False, frame: str = "body"
-) -> Array | tuple[Array, Array]:
+    module: ChartModule, v: ArrayLike, weights: ArrayLike | None = None, *, covariance: Literal[False] = False,
+    frame: FrameOfCovariance = "body",
+) -> Array: ...
+@overload
+def mean(
+    module: ChartModule, v: ArrayLike, weights: ArrayLike | None = None, *, covariance: Literal[True],
+    frame: FrameOfCovariance = "body",
+) -> tuple[Array, Array]: ...
+def mean(
+    module: ChartModule, v: ArrayLike, weights: ArrayLike | None = None, *, covariance: bool = False,
+    frame: FrameOfCovariance = "body",
+) -> Array | tuple[Array, Array]:  # fmt: skip
     """Return the mean m of poses: the steps from it cancel, ``Σ w log(R(m)⁻¹ R(v)) = 0``.
 
     The pose is the same in every chart, and moves along if one pose multiplies all poses, on either side. The mean of
@@ -120,6 +132,7 @@ def _start(module: Any, rows: Array, w: Array) -> Array:
     start = np.einsum("...k,...ki->...i", w, q)
     sides, middle = q[..., :4], start[..., :4].copy()
     limit = cos(pi / 4) + 8 * np.finfo(rows.dtype).eps
+    farthest, open_ = np.zeros(rows.shape[:-2], int), np.zeros(rows.shape[:-2], bool)
     for _ in range(SEARCH):
         products = np.sum(sides * middle[..., None, :], axis=-1)
         length = np.linalg.norm(middle, axis=-1)

@@ -168,7 +168,7 @@ class Tape:
     def _constant_xor(self, a: Any, b: Any, integer: np.dtype[Any]) -> Number:
         """Return the constant whose bits are those that differ between two constants."""
         differing = np.array(a, self.dtype).view(integer) ^ np.array(b, self.dtype).view(integer)
-        return self._constant(hex(differing), differing.view(self.dtype))
+        return self._constant(hex(int(differing)), differing.view(self.dtype))
 
     def _constant(self, key: str, value: Any) -> Number:
         if key not in self.constants:

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
-from scipy.sparse import csc_matrix
-from scipy.sparse.linalg import splu
+from scipy.sparse import csc_matrix  # type: ignore[import, unused-ignore]
+from scipy.sparse.linalg import splu  # type: ignore[import, unused-ignore]
 
 from ._curve import Curve, Group, around, clamped
 from ._factors import carried, inverse
@@ -116,7 +117,7 @@ def _solved(
     raise ArithmeticError(LOST)
 
 
-def _step(J: csc_matrix, value: Array) -> Array:
+def _step(J: Any, value: Array) -> Array:
     """Return the step to the zero of as many equations as unknowns, or to the least square of more equations."""
     if J.shape[0] > J.shape[1]:
         J, value = (J.T @ J).tocsc(), J.T @ value

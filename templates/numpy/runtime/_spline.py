@@ -5,17 +5,19 @@ from __future__ import annotations
 import warnings
 from dataclasses import dataclass
 from math import pi
-from typing import Any
+from typing import Any, Literal, TypeAlias, get_args
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
-from ._arguments import finite, increasing, require_one_of
+from ._arguments import FRAMES, Frame, finite, increasing, require_one_of
 from ._curve import Group, of_controls
 from ._kernel import Array
 from ._motion import OfModule
+from ._tools import ChartModule
 
-KINDS, BOUNDARIES, FRAMES = ("interpolating", "bspline"), ("natural", "clamped", "periodic"), ("space", "body")
+Kind: TypeAlias = Literal["interpolating", "bspline"]
+Boundary: TypeAlias = Literal["natural", "clamped", "periodic"]
 
 NEAR = 0.95 * pi
 """Rotation angle between neighbouring poses above which noise of some degrees may change the way round."""
@@ -38,10 +40,10 @@ class SplineJacobians:
         Derivatives of ``twist(t, frame="body")`` and ``acceleration(t, frame="body")``.
     """
 
-    index: Array
-    pose: Array
-    twist: Array
-    acceleration: Array
+    index: NDArray[np.int_]
+    pose: NDArray[np.float64]
+    twist: NDArray[np.float64]
+    acceleration: NDArray[np.float64]
 
 
 class PoseSpline(OfModule):
@@ -95,12 +97,12 @@ class PoseSpline(OfModule):
     module: Any
 
     def __init__(
-        self, module: Any, t: ArrayLike, poses_or_v: ArrayLike, *, kind: str = "interpolating",
-        boundary: str = "natural", axis: int = 0, twists: ArrayLike | None = None,
+        self, module: ChartModule, t: ArrayLike, poses_or_v: ArrayLike, *, kind: Kind = "interpolating",
+        boundary: Boundary = "natural", axis: int = 0, twists: ArrayLike | None = None,
     ) -> None:  # fmt: skip
         group = Group(module)
-        require_one_of("kind", kind, KINDS)
-        require_one_of("boundary", boundary, BOUNDARIES)
+        require_one_of("kind", kind, get_args(Kind))
+        require_one_of("boundary", boundary, get_args(Boundary))
         if twists is not None and boundary != "clamped":
             raise ValueError(f"twists belong to the boundary 'clamped', got the boundary {boundary!r}")
         if kind == "bspline" and boundary == "clamped":
@@ -116,7 +118,7 @@ class PoseSpline(OfModule):
 
     @classmethod
     def fit(
-        cls, module: Any, t: ArrayLike, poses: ArrayLike, knots: ArrayLike, weights: ArrayLike | None = None
+        cls, module: ChartModule, t: ArrayLike, poses: ArrayLike, knots: ArrayLike, weights: ArrayLike | None = None
     ) -> PoseSpline:
         """Return the spline nearest to noisy poses: least squares by Gauss–Newton on the control poses.
 
@@ -173,11 +175,11 @@ class PoseSpline(OfModule):
         return self._curve.breaks
 
     @property
-    def controls(self) -> Array:
+    def controls(self) -> NDArray[np.float64]:
         """Control poses, shape (N, 4, 4); (N, 3, 3) for rotations."""
         return self._curve.controls if self.period is None else self._curve.controls[1:-2]
 
-    def __call__(self, t: ArrayLike, order: int = 0) -> Array:
+    def __call__(self, t: ArrayLike, order: Literal[0, 1, 2] = 0) -> NDArray[np.float64]:
         """Return the principal v, or v̇ or v̈, at times of any shape.
 
         v jumps at half a turn, as `principal` does; `unwrap` makes a sequence continuous.
@@ -198,15 +200,15 @@ class PoseSpline(OfModule):
             raise ValueError(f"order must be 0, 1 or 2, got {order!r}")
         return self._values(("v", "v_dot", "v_ddot")[order], t)
 
-    def pose(self, t: ArrayLike) -> Array:
+    def pose(self, t: ArrayLike) -> NDArray[np.float64]:
         """Return the poses, shape (..., 4, 4), at times of shape (...); rotations (..., 3, 3)."""
         return self._values("pose", t)
 
-    def twist(self, t: ArrayLike, frame: str = "space") -> Array:
+    def twist(self, t: ArrayLike, frame: Frame = "space") -> NDArray[np.float64]:
         """Return the twists [ω, v], shape (..., 6), at times of shape (...), in the frame "space" or "body"."""
         return self._values("twist", t, frame)
 
-    def acceleration(self, t: ArrayLike, frame: str = "space") -> Array:
+    def acceleration(self, t: ArrayLike, frame: Frame = "space") -> NDArray[np.float64]:
         """Return the time derivatives of the twists in a frame, shape (..., 6), at times of shape (...).
 
         The one in space is the one of the body, carried by the pose.
@@ -232,7 +234,7 @@ class PoseSpline(OfModule):
         """Return rows of ``controls``, which a closed curve repeats at both ends."""
         return index if self.period is None else (index - 1) % len(self.controls)
 
-    def _values(self, name: str, t: ArrayLike, frame: str = "space") -> Array:
+    def _values(self, name: str, t: ArrayLike, frame: Frame = "space") -> NDArray[np.float64]:
         """Return a quantity at times of any shape."""
         require_one_of("frame", frame, FRAMES)
         times, shape = self._times(t)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from math import pi
-from typing import Any
+from typing import Any, Literal, overload
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike
 from ._kernel import Array
 from ._runtime import as_array
 from ._sequences import continued
+from ._tools import ChartModule
 
 Event = Callable[[float, Array], float]
 
@@ -33,7 +34,7 @@ def switch_angle(module: Any) -> float:
     return (pi + first) / 2
 
 
-def switch_event(module: Any, state: Any = slice(0, 6), angle: float | None = None) -> Event:
+def switch_event(module: ChartModule, state: Any = slice(0, 6), angle: float | None = None) -> Event:
     """Return a terminal event for ``scipy.integrate.solve_ivp`` that stops where v must change its branch.
 
     The event crosses zero upwards at a rotation angle halfway between π and the first singular angle of the chart, or
@@ -109,8 +110,16 @@ def switch_event(module: Any, state: Any = slice(0, 6), angle: float | None = No
     return event
 
 
+@overload
 def unwrap(
-    module: Any, v: ArrayLike, *, branch: bool = False, tolerance: float | None = None
+    module: ChartModule, v: ArrayLike, *, branch: Literal[False] = False, tolerance: float | None = None
+) -> Array: ...
+@overload
+def unwrap(
+    module: ChartModule, v: ArrayLike, *, branch: Literal[True], tolerance: float | None = None
+) -> tuple[Array, Array]: ...
+def unwrap(
+    module: ChartModule, v: ArrayLike, *, branch: bool = False, tolerance: float | None = None
 ) -> Array | tuple[Array, Array]:
     """Return the vectors on the branches that make a sequence of poses continuous, as ``numpy.unwrap`` does for angles.
 

@@ -8,7 +8,7 @@ from functools import cached_property
 from typing import Any
 
 import numpy as np
-from scipy.optimize import brentq
+from scipy.optimize import brentq  # type: ignore[import, unused-ignore]
 
 from ._derived import pose_of, tensor_of
 from ._kernel import Array
@@ -81,7 +81,8 @@ class Trajectory:
         for step, scalar in zip(self.steps, scalars):
             if side * scalar < limit:
                 within = excess(step.begin) > 0 > excess(step.end)  # false only by rounding at an end
-                found.append(brentq(excess, step.begin, step.end) if within else step.end)
+                root: Any = brentq(excess, step.begin, step.end) if within else step.end
+                found.append(root)
                 side = -side
         return np.array(found, float)
 

@@ -100,7 +100,7 @@ def _loaded(saved: bytes, name: str, knots: Array) -> Called:
         return Called(Lost(name), knots)
 
 
-def twist_of(twist: Any, t: Array, knots: ArrayLike | None) -> Twist:
+def twist_of(twist: Callable[[float], ArrayLike] | ArrayLike, t: Array, knots: ArrayLike | None) -> Twist:
     """Return the twist of a motion from a function, from one value, or from samples at the times t."""
     if callable(twist):
         finite("twist at the first time", twist(t[0]), (6,))
@@ -108,7 +108,7 @@ def twist_of(twist: Any, t: Array, knots: ArrayLike | None) -> Twist:
         return Called(twist, np.unique(finite("knots", times, (np.size(times),))))
     if knots is not None:
         raise TypeError("knots are for a callable twist: samples have theirs at the times t")
-    from scipy.interpolate import CubicSpline
+    from scipy.interpolate import CubicSpline  # type: ignore[import, unused-ignore]
 
     shape = np.shape(twist)
     if shape == (6,):
