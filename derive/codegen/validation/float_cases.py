@@ -44,6 +44,11 @@ class FloatCase(Case):
 
     chart: Vectors
 
+    @property
+    def finite(self) -> bool:
+        """Tell whether the result is finite; a vector beyond an early edge is not."""
+        return all(map(mpmath.isfinite, self.result))
+
     @cached_property
     def scales(self) -> tuple[float, ...]:
         """Error scale of each part of the result."""
@@ -78,21 +83,22 @@ class FloatCase(Case):
         return [tuple((b - a) / STEP for a, b in zip(result, there, strict=True))]
 
 
-@lru_cache(maxsize=8)
-def cases(chart: Chart, table: Table = POSES, names: frozenset[str] | None = None) -> Sequence[FloatCase]:
-    """Return calls of every public function, or of the named ones, in the order of rows.
+def cases(chart: Chart, table: Table = POSES) -> Sequence[FloatCase]:
+    """Return calls of every public function with finite results; raise ValueError if a function has none."""
+    found = tuple(case for case in drawn(chart, table) if case.finite)
+    require("a call in floats", table.public, (case.function for case in found))
+    return found
 
-    Raise ValueError if one has no finite result.
-    """
-    wanted = table.public.keys() if names is None else names
+
+@lru_cache(maxsize=8)
+def drawn(chart: Chart, table: Table = POSES, names: frozenset[str] | None = None) -> Sequence[FloatCase]:
+    """Return calls of every public function, or of the named ones, in the order of rows; no result is computed."""
+    order, wanted = list(table.functions), table.public.keys() if names is None else names
     with mpmath.workdps(EXACT_DIGITS):
         at = vectors_of(chart)
-        drawn = (case for case in restricted(_seeded(at), table) if case.function in wanted)
-        computed = ((c, partial(value, at, c.row, c.branch, c.arguments)) for c in drawn)  # a rotated point, not moved
+        chosen = (case for case in restricted(_seeded(at), table) if case.function in wanted)
+        computed = ((c, partial(value, at, c.row, c.branch, c.arguments)) for c in chosen)  # a rotated point, not moved
         found = [FloatCase(c.row, c.branch, c.arguments, compute, at) for c, compute in computed]
-        found = [case for case in found if all(map(mpmath.isfinite, case.result))]  # no v beyond an early edge
-    require("a call in floats", wanted, (case.function for case in found))
-    order = list(table.functions)
     return tuple(sorted(found, key=lambda case: order.index(case.function)))
 
 

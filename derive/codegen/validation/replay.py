@@ -24,8 +24,8 @@ from ...maps.chart import Chart
 from ..rows import Function, Table
 from ..signatures import POSES
 from .batches import ValidationFailed
-from .calls import grouped
-from .float_cases import FloatCase, cases
+from .calls import grouped, require
+from .float_cases import FloatCase, drawn
 from .loading import loaded, module_of
 from .run import own_functions
 
@@ -103,9 +103,13 @@ class Group:
 
 def _groups(chart: Chart, table: Table, geometry: bool) -> list[Group]:
     """Return the cases of all functions and branches; without ``geometry``, `own_functions` on branches 0 and 1."""
-    found = cases(chart, table, None if geometry else frozenset(own_functions(chart, table)))
-    called = (case for case in found if geometry or case.branch in (None, 0, 1))
-    return [Group(found[0].row, branch, found[:CASES_MAX]) for branch, found in grouped(called)]
+    names = frozenset(table.public if geometry else own_functions(chart, table))
+    called = grouped(case for case in drawn(chart, table, names) if geometry or case.branch in (None, 0, 1))
+    finite = ((branch, (case for case in group if case.finite)) for branch, group in called)
+    chosen = ((branch, tuple(itertools.islice(group, CASES_MAX))) for branch, group in finite)
+    found = [Group(group[0].row, branch, group) for branch, group in chosen if group]
+    require("a call in floats", names, (group.row.name for group in found))
+    return found
 
 
 @dataclass

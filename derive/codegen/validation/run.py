@@ -58,9 +58,10 @@ def own_functions(chart: Chart, table: Table) -> Collection[str]:
     read: set[tuple[str, int]] = set()
     for name, row in table.public.items():
         program = programs[row.kernel]
+        operands = program.operands
         called = (call for call in program.calls if call.function not in shown)
         pairs = ((call.function, place, name) for call in called for place, name in enumerate(call.names))
-        results = {(function, place) for function, place, name in pairs if name in program.operands}
+        results = {(function, place) for function, place, name in pairs if name in operands}
         if row.kernel not in lowered.operations or results - read:
             found[name] = None
             read |= results
