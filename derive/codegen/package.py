@@ -203,10 +203,16 @@ def _multiple_of_pi(angle: sympy.Expr) -> str:
 
 def fingerprint(facts: Facts, programs: ChartPrograms) -> str:
     """Return a digest of a chart's programs and the geometry: packages with equal digests compute equal results."""
-    lines = [*_program_lines(geometry(programs.table)), *_program_lines(programs.scalars)]
-    lines += [f"{row.name} {row.arguments} {row.results} {row.constants}" for row in programs.table.kernels.values()]
-    lines += [f"{facts.turns} {facts.returns}"]
+    shared = _shared_lines(programs.table)
+    lines = [*shared[0], *_program_lines(programs.scalars), *shared[1], f"{facts.turns} {facts.returns}"]
     return hashlib.sha256("\n".join(lines).encode()).hexdigest()[:16]
+
+
+@cache
+def _shared_lines(table: Table) -> tuple[Sequence[str], Sequence[str]]:
+    """Return the lines of the geometry programs and of the table, which all charts share."""
+    rows = [f"{row.name} {row.arguments} {row.results} {row.constants}" for row in table.kernels.values()]
+    return list(_program_lines(geometry(table))), rows
 
 
 def _program_lines(programs: Mapping[str, Program]) -> Iterator[str]:
