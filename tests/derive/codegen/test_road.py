@@ -133,12 +133,13 @@ def test_chart_without_a_call_of_a_function_is_not_generated(monkeypatch: pytest
 
     for module in (samples, float_cases):
         monkeypatch.setattr(module, "restricted", without)
+    monkeypatch.setattr(float_cases, "drawn", float_cases.drawn.__wrapped__)
     for table, screw in ((POSES, "from_screw"), (ROTATIONS, "from_angle_axis")):
         missing = f"{screw}, interpolate, shadow, shadow_jacobian"
         with pytest.raises(ValueError, match=rf"functions without a call cannot be generated: {missing}$"):
             batches.__wrapped__(Cayley(3), table)
         with pytest.raises(ValueError, match=rf"functions without a call in floats cannot be generated: {missing}$"):
-            float_cases.cases.__wrapped__(Cayley(3), table)
+            float_cases.cases(Cayley(3), table)
 
 
 def test_function_without_an_exact_call_is_not_generated(monkeypatch: pytest.MonkeyPatch):
