@@ -183,8 +183,7 @@ def _parsed(file: File) -> dict[str, list[Line]]:
 
 def _vectors(module: Any, found: list[Line], check: bool | float) -> tuple[Array, Array]:
     """Return the vectors of poses in lines, and the numbers after each pose."""
-    table = np.array([line.numbers for line in found], float).reshape(len(found), -1)
-    table = table if found else np.empty((0, 28))
+    table = np.array([line.numbers for line in found] or np.empty((0, 28)), float)
     return vectors(module, [line.place for line in found], table[:, :3], table[:, 3:7], check), table[:, 7:]
 
 

@@ -31,7 +31,7 @@ def test_the_version_matches_the_toolkit() -> None:
 def test_the_package_lists_its_modules_and_functions() -> None:
     assert set(MODULES) <= set(dir(dualcay))
     public = {name for name in dir(dualcay) if not name.startswith("_")}
-    assert public == {*MODULES, *dualcay.__all__, "dask", "extended", "interop", "rotation"}
+    assert public == {*MODULES, *dualcay.__all__, "dask", "extended", "interop", "plot", "rotation"}
     assert all(hasattr(dualcay, name) for name in dir(dualcay))
 
 
@@ -119,7 +119,7 @@ def test_folder_of_kernels_is_typed_in_a_users_project(tmp_path: Path, target: s
 
 ROOT = Path(__file__).resolve().parents[2]
 SCIPY = ("_solving.py", "_stepping.py", "_trajectory.py", "_twist.py", "interop.py")
-OPTIONAL = {"dask.py": {"dask"}} | {name: {"scipy"} for name in SCIPY}
+OPTIONAL = {"dask.py": {"dask"}, "plot.py": {"matplotlib"}} | {name: {"scipy"} for name in SCIPY}
 """Libraries that modules of tools import, by file."""
 
 BLOCK = """

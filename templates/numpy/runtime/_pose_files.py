@@ -17,9 +17,9 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ._arguments import finite
-from ._checks import LAWS, ROTATION_LAWS, Law, require
+from ._checks import LAWS, Law, require
 from ._kernel import Array
-from ._ros import from_ros, require_poses, to_ros
+from ._ros import UNIT, from_ros, require_poses, to_ros
 
 File: TypeAlias = "str | PathLike[str] | IO[str]"
 
@@ -248,7 +248,7 @@ def whole(place: str, name: str, text: str) -> int:
 
 def vectors(module: Any, places: Sequence[str], xyz: Array, xyzw: Array, check: bool | float) -> Array:
     """Return the vectors of positions and quaternions with the scalar last, after a check of the norms."""
-    require_rows(ROTATION_LAWS["from_quaternion"], xyzw, places, check)
+    require_rows(UNIT, xyzw, places, check)
     return from_ros(module, xyz, xyzw)
 
 
