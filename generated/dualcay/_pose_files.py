@@ -264,7 +264,7 @@ def require_rows(law: Law, rows: Array, places: Sequence[str], check: bool | flo
             try:
                 require(law, row, -1, check)
             except ValueError as error:
-                raise ValueError(f"{place}: {error}; numbers of few digits need a larger check=") from None
+                raise ValueError(f"{place}: {error}") from None
         raise
 
 
