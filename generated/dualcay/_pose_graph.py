@@ -77,14 +77,10 @@ def read_g2o(module: Any, file: File, *, convention: str = "g2o", check: bool | 
 
     Parameters
     ----------
-    module : module
-        Kernel module of poses; a module of rotations is a TypeError.
-    file : path or text file
-        File to read.
+    module, file, check
+        As in `read_tum`.
     convention : {"g2o", "gtsam"}
         Meaning of the listed information.
-    check : bool or float
-        Largest violation of the unit norm allowed; True is 1.5e-8, False allows any norm but 0.
 
     Returns
     -------
@@ -129,14 +125,10 @@ def write_g2o(module: Any, file: File, graph: PoseGraph, *, convention: str = "g
 
     Parameters
     ----------
-    module : module
-        Kernel module of poses; a module of rotations is a TypeError.
-    file : path or text file
-        File to write. An existing file is replaced.
+    module, file, convention
+        As in `read_g2o`. An existing file is replaced.
     graph : PoseGraph
         Poses, edges and information.
-    convention : {"g2o", "gtsam"}
-        Meaning of the listed information, as in `read_g2o`.
 
     Raises
     ------

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pickle
+import sys
 from collections.abc import Iterator
 from typing import Any
 
@@ -101,6 +102,12 @@ def test_angles_break_at_changes_of_branch(motion: Motion) -> None:
     turned = np.degrees(0.5 * t[kept]) % 360
     np.testing.assert_allclose(np.cos(np.radians(angle[kept])), np.cos(np.radians(turned)), atol=1e-8)
     assert (line.get_color(), axes.get_xlabel(), axes.get_ylabel()) == ("C2", "time (s)", "rotation angle of v (°)")
+
+
+def test_missing_matplotlib_is_an_error_that_says_how_to_install_it(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(sys.modules, "matplotlib", None)
+    with pytest.raises(ImportError, match=r'^dualcay\.plot needs Matplotlib: pip install "matplotlib>=3\.9"$'):
+        plot.frames(POSES)
 
 
 def test_wrong_arguments_are_refused() -> None:

@@ -73,10 +73,8 @@ def write_tum(module: Any, file: File, t: ArrayLike, v: ArrayLike) -> None:
 
     Parameters
     ----------
-    module : module
-        Kernel module of poses; a module of rotations is a TypeError.
-    file : path or text file
-        File to write. An existing file is replaced.
+    module, file
+        As in `read_tum`. An existing file is replaced.
     t : array, shape (T,)
         Times (s).
     v : array, shape (T, 6)
@@ -103,10 +101,8 @@ def read_kitti(module: Any, file: File, *, check: bool | float = ROUNDED) -> Arr
 
     Parameters
     ----------
-    module : module
-        Kernel module of poses; a module of rotations is a TypeError.
-    file : path or text file
-        File to read. It has no times: KITTI keeps them in another file, ``times.txt``.
+    module, file
+        As in `read_tum`. The file has no times: KITTI keeps them in another one, ``times.txt``.
     check : bool or float
         Largest violation of orthogonality allowed; True is 1.5e-8, False allows any.
 
@@ -140,10 +136,8 @@ def write_kitti(module: Any, file: File, v: ArrayLike) -> None:
 
     Parameters
     ----------
-    module : module
-        Kernel module of poses; a module of rotations is a TypeError.
-    file : path or text file
-        File to write. An existing file is replaced.
+    module, file
+        As in `read_tum`. An existing file is replaced.
     v : array, shape (T, 6)
         Vectors of the chart.
 
@@ -171,12 +165,8 @@ def read_euroc(module: Any, file: File, *, check: bool | float = ROUNDED) -> tup
 
     Parameters
     ----------
-    module : module
-        Kernel module of poses; a module of rotations is a TypeError.
-    file : path or text file
-        File to read, such as ``state_groundtruth_estimate0/data.csv``.
-    check : bool or float
-        Largest violation of the unit norm allowed; True is 1.5e-8, False allows any norm but 0.
+    module, file, check
+        As in `read_tum`. A file is ``state_groundtruth_estimate0/data.csv``, for example.
 
     Returns
     -------
