@@ -64,7 +64,7 @@ WORDS = {
     "tangent_inv": "jlinv ljacinv left_jacobian_inverse dlog dexpinv dexp_inv",
     "body_tangent_inv": "jrinv rjacinv right_jacobian_inverse jlog jlog6 logmapderivative",
 }
-"""Functions, and words that other libraries have for them, in small letters. Of two names, rotations have the latter."""
+"""Functions, and words of other libraries for them in small letters. Of two functions, rotations have the latter."""
 
 OF_WORD = {word: functions.split() for functions, words in WORDS.items() for word in words.split()}
 
