@@ -100,7 +100,8 @@ def picture(file: str, v: np.ndarray, P: np.ndarray, cloud: np.ndarray, m: np.nd
     left.plot(*way[:, :2].T, color="C7", linewidth=1, label="drive without error")
     left.plot(*positions(cloud)[:700, :2].T, ".", color="C0", markersize=2, label="ends of drives")
     place = transform_point_covariance(chart, v[-1], np.zeros(3), P[-1])
-    plot.ellipsoids(way[-1], place, left, deviations=4.605**0.5, color="C1", linewidth=1.6, label="ellipse of positions")
+    style = {"color": "C1", "linewidth": 1.6, "label": "ellipse of positions"}
+    plot.ellipsoids(way[-1], place, left, deviations=4.605**0.5, **style)
     left.plot(*positions(chart.body_retract(m, outline(found, 4.605)))[:, :2].T, color="C3", label="ellipse of steps")
     left.plot(*positions(m)[:2], "k+", markersize=10, label="mean")
     left.set(xlabel="x (m)", ylabel="y (m)")

@@ -76,7 +76,7 @@ def test_a_trajectory_is_the_way_of_the_origin(axes: Any, motion: Motion) -> Non
 
 def test_ellipsoids_have_the_extent_of_their_covariance(axes: Any, motion: Motion) -> None:
     """The extent of an ellipsoid along a space axis is a multiple of the deviation of that component."""
-    P = transform_point_covariance(cayley3, motion.v, np.zeros(3), np.diag([1e-2] * 3 + [1e-4] * 3))
+    P = transform_point_covariance(cayley3, motion.v, np.zeros(3), np.diag([1e-2] * 3 + [1e-4, 4e-4, 9e-4]))
     plot.ellipsoids(motion.pose[:, :3, 3], P, axes, deviations=2)
     [line] = axes.lines
     found = points(line)
