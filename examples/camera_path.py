@@ -20,7 +20,7 @@ from collections.abc import Sequence
 import numpy as np
 from scipy.spatial.transform import Rotation, RotationSpline
 
-from dualcay import PoseSpline, cayley2, exponential
+from dualcay import PoseSpline, cayley2, exponential, plot
 
 FRAMES, DURATION = 10, 9.0  # s
 NOISE = np.repeat([0.01, 0.02], 3)  # rad, m
@@ -78,18 +78,16 @@ def main(argv: Sequence[str] | None = None) -> None:
 
 
 def picture(file: str, times: np.ndarray, key: np.ndarray, path: PoseSpline, sizes: dict[str, np.ndarray]) -> None:
-    """Draw the path from above with its views, and the angular accelerations."""
+    """Draw the path from above with its frames, and the angular accelerations."""
     from matplotlib.figure import Figure
 
     figure = Figure(figsize=(8.2, 4), layout="constrained")
     left, right = figure.subplots(1, 2)
     t = np.linspace(0, DURATION, 1801)
-    place = path.pose(t)[:, :3, 3]
-    left.plot(place[:, 0], place[:, 1], label="spline")
+    plot.trajectory(path.pose(t), left, label="spline")
     left.plot(*key[:, :2, 3].T, "o", markersize=5, label="key frames")
-    some = path.pose(t[::60])
-    left.quiver(*some[:, :2, 3].T, *some[:, :2, 0].T, color="#808890", width=0.004, scale=14)
-    left.set(xlabel="x (m)", ylabel="y (m)", aspect="equal")
+    plot.frames(path.pose(t[::60]), left, length=0.5, linewidth=1.2)
+    left.set(xlabel="x (m)", ylabel="y (m)")
     left.legend(loc="center")
     for name, size in sizes.items():
         right.plot(t, size, label=name)

@@ -21,7 +21,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from dualcay import cayley2 as chart
-from dualcay import compose_covariance, mean, transform_point_covariance
+from dualcay import compose_covariance, mean, plot, transform_point_covariance
 
 STEP = np.array([0, 0, 0.01, 0.1, 0, 0])  # rad, m: to the left, forwards
 NOISE = np.diag([0.005, 0.005, 0.05, 0.03, 0.03, 0.005]) ** 2  # rad², m²
@@ -99,11 +99,12 @@ def picture(file: str, v: np.ndarray, P: np.ndarray, cloud: np.ndarray, m: np.nd
     way = positions(v)
     left.plot(*way[:, :2].T, color="C7", linewidth=1, label="drive without error")
     left.plot(*positions(cloud)[:700, :2].T, ".", color="C0", markersize=2, label="ends of drives")
-    place = transform_point_covariance(chart, v[-1], np.zeros(3), P[-1])[:2, :2]
-    left.plot(*(way[-1, :2] + outline(place, 4.605)).T, color="C1", label="ellipse of positions")
+    place = transform_point_covariance(chart, v[-1], np.zeros(3), P[-1])
+    style = {"color": "C1", "linewidth": 1.6, "label": "ellipse of positions"}
+    plot.ellipsoids(way[-1], place, left, deviations=4.605**0.5, **style)
     left.plot(*positions(chart.body_retract(m, outline(found, 4.605)))[:, :2].T, color="C3", label="ellipse of steps")
     left.plot(*positions(m)[:2], "k+", markersize=10, label="mean")
-    left.set(xlabel="x (m)", ylabel="y (m)", aspect="equal")
+    left.set(xlabel="x (m)", ylabel="y (m)")
     steps = chart.body_local(cloud, m)[:, [2, 4]]
     right.plot(*steps[:700].T, ".", color="C0", markersize=2)
     right.plot(*outline(found[np.ix_([2, 4], [2, 4])], 4.605).T, color="C3")

@@ -23,7 +23,7 @@ import numpy as np
 from scipy.integrate import solve_ivp
 
 from dualcay import cayley2 as chart
-from dualcay import matrix6, propagate
+from dualcay import matrix6, plot, propagate
 
 START = np.array([0.15, 0.8, -0.3, 1.7, -3, 1.2])  # v of the chaser at the start: tan(α/4) u, a turn by 164 degrees
 TURNING = np.array([0.0, 0, 0.02, 0, 0, 0])  # twist of the target in its own frame, rad/s
@@ -60,12 +60,6 @@ def of_position(v: np.ndarray, P: np.ndarray) -> np.ndarray:
     """Return the covariance of the chaser's position in the frame of the target."""
     by_v, _ = chart.transform_point_jacobians(v, np.zeros(3))
     return by_v @ P @ by_v.mT
-
-
-def ellipse(v: np.ndarray, P: np.ndarray) -> np.ndarray:
-    """Return points of the 3σ ellipse of y and x."""
-    turn = np.linspace(0, 2 * np.pi, 60)
-    return 3 * np.linalg.cholesky(of_position(v, P)[1::-1, 1::-1]) @ [np.cos(turn), np.sin(turn)]
 
 
 def nees(v: np.ndarray, P: np.ndarray, runs: np.ndarray) -> np.ndarray:
@@ -109,11 +103,12 @@ def main(argv: Sequence[str] | None = None) -> None:
         figure = Figure(figsize=(8.2, 3.6), layout="constrained")
         left, right = figure.subplots(1, 2, width_ratios=(3, 2))
         places = chart.pose(runs)[..., :3, 3]
-        for k in range(STEPS // 18, STEPS, STEPS // 9):
-            left.plot(*places[k - 1, :300, 1::-1].T, ".", color="C7", markersize=1, rasterized=True)
-            left.plot(*(motion.pose[k, 1::-1, 3, None] + ellipse(motion.v[k], motion.covariance[k])), color="C1")
-        left.plot(*motion.pose[:, 1::-1, 3].T, color="C0")
-        left.set(xlabel="y in the frame of the target (m), 3σ ellipses and random runs", ylabel="x (m)", aspect="equal")
+        some = np.arange(STEPS // 18, STEPS, STEPS // 9)
+        left.plot(*places[some - 1, :300, 1::-1].reshape(-1, 2).T, ".", color="C7", markersize=1, rasterized=True)
+        spread = of_position(motion.v[some], motion.covariance[some])
+        plot.ellipsoids(motion.pose[some, :3, 3], spread, left, plane="yx", color="C1", linewidth=1.6)
+        plot.trajectory(motion, left, plane="yx", color="C0")
+        left.set(xlabel="y in the frame of the target (m), 3σ ellipses and random runs", ylabel="x (m)")
         for i, name in enumerate("xyz"):
             right.plot(t, 1e3 * known[:, i], color=f"C{i}", label=f"{name}, propagate")
             right.plot(t[10::10], 1e3 * drawn[9::10, i], ".", color=f"C{i}")

@@ -104,20 +104,35 @@ def compare(**given: Any) -> None:
 
 
 @cli.command("list")
-def list_catalogue() -> None:
-    """List targets, committed orders and the contents of a module."""
+@click.option("--claims", is_flag=True, help="List the kinds of letters and the operations of claims instead.")
+def list_catalogue(claims: bool) -> None:
+    """List targets, committed orders and the contents of a module, or what claims may contain."""
+    width = min(shutil.get_terminal_size((120, 0)).columns, 120)
+    rows, left = (_of_claims(), 32) if claims else (_of_kernels(), 10)
+    for heading, text in rows:
+        click.echo(textwrap.fill(f"{heading:<{left - 1}} {text}", width, subsequent_indent=min(left, width // 2) * " "))
+
+
+def _of_kernels() -> list[tuple[str, str]]:
     from ..codegen.signatures import PUBLIC
 
-    width = min(shutil.get_terminal_size((120, 0)).columns, 120)
     others = ", ".join(about.OTHER_FAMILIES)
-    for heading, names in (
+    return [
         ("targets", ", ".join(about.TARGETS)),
         ("orders", f"any n >= 1; committed: {', '.join(map(str, about.ORDERS))}"),
         ("families", f"{others}, also sineN and scaledN for any order N; committed: {', '.join(about.FAMILIES)}"),
         ("formulas", ", ".join(about.FORMULAS)),
         ("functions", ", ".join(PUBLIC)),
-    ):
-        click.echo(textwrap.fill(f"{heading:<9} {names}", width, subsequent_indent=10 * " "))
+    ]
+
+
+def _of_claims() -> list[tuple[str, str]]:
+    from ..claims.language.letters import LETTERS
+    from ..claims.language.operations import OPERATIONS
+
+    kinds = ((kind, words) for kind, (_, _, words) in LETTERS.items())
+    operations = ((row.example, row.says) for row in OPERATIONS.values())
+    return [("KIND", "value"), *kinds, ("OPERATION", "value"), *operations]
 
 
 @cli.command()
@@ -125,7 +140,7 @@ def list_catalogue() -> None:
 @click.option("--paper", type=click.Choice(about.PAPERS), help="One paper; all by default.")
 @click.option("--claim", metavar="TEXT", help="One claim, e.g. 'R*transpose(R) == I'.")
 @click.option("--let", "letters", metavar="NAME=KIND", multiple=True, help="Kind of a letter, e.g. R=rotation.")
-@click.option("--domain", metavar="TEXT", help="Domain of --claim, e.g. 'norm(v) != 0'.")
+@click.option("--domain", metavar="TEXT", help="Domain of the claim, e.g. 'norm(v) != 0'.")
 @click.option("--seconds", type=click.FloatRange(min=0, min_open=True), default=60.0, show_default=True,
               help="Processor time that each equation of a file may take.")  # fmt: skip
 @click.option("--eq", "equations", metavar="NAMES", help="Numbers or slugs, e.g. 88,111; all by default.")
@@ -142,6 +157,16 @@ def verify(**given: Any) -> None:
 
     A FILE has claims in TOML, or in comments beside its equations: .tex, .md, .rst, .ipynb.
     """
+    run_module("verify", "verify", given)
+
+
+ALONE = ("letters", "domain", "form", "output", "strict")
+"""Options of `verify` that belong to one claim."""
+
+
+@cli.command(params=[click.Argument(["claim"]), *(option for option in verify.params if option.name in ALONE)])
+def check(**given: Any) -> None:
+    """Decide one claim, as `verify --claim` does: true, true where, or false and how to mend it."""
     run_module("verify", "verify", given)
 
 

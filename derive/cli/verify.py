@@ -28,9 +28,10 @@ WRONG = (Status.ERRATUM, Status.FALSE, Status.UNDECIDED, Status.UNREFUTED)
 
 
 def verify(
-    sheets: tuple[str, ...], paper: str | None, claim: str | None, letters: tuple[str, ...], domain: str | None,
-    seconds: float, equations: str | None, orders: tuple[int, ...], form: str, output: Path | None,
-    beside: bool, check: bool, strict: bool, no_cache: bool, max_n: int,
+    sheets: tuple[str, ...] = (), paper: str | None = None, claim: str | None = None, letters: tuple[str, ...] = (),
+    domain: str | None = None, seconds: float = 60.0, equations: str | None = None, orders: tuple[int, ...] = (),
+    form: str = "text", output: Path | None = None, beside: bool = False, check: bool = False, strict: bool = False,
+    no_cache: bool = False, max_n: int = 0,
 ) -> None:  # fmt: skip
     """Run the command; parameters are its options."""
     options.require_cap(orders, max_n)
@@ -127,7 +128,7 @@ def _single(claim: str, letters: Sequence[str], domain: str) -> Sheet:
     try:
         return claim_alone(claim, _pairs(letters), domain)
     except ClaimError as error:
-        raise Unreadable(f"--claim: {error}") from None
+        raise Unreadable(f"claim: {error}") from None
 
 
 def _of_sheets(sheets: Sequence[Sheet], equations: list[str] | None, seconds: float, keep: bool) -> Report:

@@ -34,7 +34,7 @@ __all__ = [
 __version__ = "0.1.0"
 
 
-PARTS = ("rotation", "dask", "extended", "interop")
+PARTS = ("rotation", "dask", "extended", "interop", "plot")
 """Public parts that are no chart: rotations alone, poses with velocity, and tools that import further libraries."""
 
 

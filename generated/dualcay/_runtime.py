@@ -24,7 +24,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ._chart import Chart
+from ._chart import Chart, shape_error
 from ._kernel import Array, Kernel, Result, Shape, run, staged
 from ._native import Compiled
 from ._numbers import FLOAT, FUNCTIONS, ROUNDOFF, SINGLE, Floats, Objects, Scalars, Singles
@@ -314,9 +314,7 @@ def as_array(name: str, value: ArrayLike, part: Shape, axis: int, real: bool = F
         array = _supported(name, array, real)
     found = array.shape[: len(part)] if axis == 0 else array.shape[array.ndim - len(part) :]
     if found != part:
-        inner = ", ".join(map(str, part))
-        expected = f"({inner}, ...)" if axis == 0 else f"(..., {inner})"
-        raise ValueError(f"{name} must have shape {expected}, got {array.shape}")
+        raise shape_error(name, part, axis, array.shape)
     return array
 
 

@@ -42,6 +42,10 @@ class Trajectory:
     switched: bool
 
     @property
+    def module(self) -> Any:
+        return self.problem.module
+
+    @property
     def end(self) -> float:
         return self.steps[-1].end if self.steps else self.begin
 

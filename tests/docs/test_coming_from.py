@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from dualcay import rotation
-from tests.support import pages
+from tests.support import examples, pages
 from tests.support.libraries import jax
 
 FOLDER = pages.ROOT / "docs" / "coming_from"
@@ -78,6 +78,23 @@ def test_both_columns_agree(page: str) -> None:
         names |= of_library(page, names)
         text = (FOLDER / f"{page}.md").read_text(encoding="utf-8").partition(", in C++ |")[0]
         assert [row for row in ROW.findall(text) if not agree(*row, names)] == []
+
+
+def test_custom_factor_of_gtsam_is_its_own_one() -> None:
+    """Residual and Jacobians of the factor on the page are those of ``BetweenFactorPose3``, within roundings."""
+    gtsam = pytest.importorskip("gtsam")
+    text, names = (FOLDER.parent / "howto" / "pose_graph.md").read_text(encoding="utf-8"), dict[str, Any]()
+    sessions = [block for block in pages.blocks(text, "python") if ">>>" in block]
+    assert [examples.failures(block, "pose_graph.md", names) for block in sessions] == [""] * len(sessions)
+    exec(next(block for block in pages.blocks(text, "python") if "import gtsam" in block), names)
+    z, *x = (names["cayley2"].random(max_angle=1.0, rng=seed) for seed in range(3))
+    values, noise = gtsam.Values(), gtsam.noiseModel.Unit.Create(6)
+    for key, v in enumerate(x):
+        values.insert(key, gtsam.Pose3(names["cayley2"].pose(v)))
+    theirs = gtsam.BetweenFactorPose3(0, 1, gtsam.Pose3(names["cayley2"].pose(z)), noise)
+    found, expected = (one.linearize(values).jacobian() for one in (names["between"](0, 1, z, noise), theirs))
+    for one, other in zip(found, expected, strict=True):
+        np.testing.assert_allclose(one, other, rtol=0, atol=1e-12)
 
 
 def agree(theirs: str, ours: str, names: dict[str, Any]) -> bool:

@@ -87,17 +87,24 @@ def test_document_with_claims_is_decided_as_the_page_says(tmp_path: Path) -> Non
 
 @pytest.mark.thorough
 @pytest.mark.compiler
-@pytest.mark.parametrize(("name", "language"), [("docs/howto/c.md", "c"), ("docs/howto/cpp_autodiff.md", "cpp")])
+@pytest.mark.parametrize(
+    ("name", "language", "libraries"),
+    [("c", "c", "-lm"), ("cpp_autodiff", "cpp", ""), ("ceres", "cpp", "-isystem/usr/include/eigen3 -lceres -lglog")],
+)
 def test_programs_print_what_the_page_shows(
-    name: str, language: str, shared: Callable[[str, Callable[[Path], object]], Path], tmp_path: Path
+    name: str, language: str, libraries: str, shared: Callable[[str, Callable[[Path], object]], Path], tmp_path: Path
 ) -> None:
+    if name == "ceres" and not Path("/usr/include/ceres/manifold.h").exists():
+        pytest.skip("Ceres is not installed")
     kernels = shared("c_headers", packages.headers)
     (tmp_path / "dualcay").symlink_to(kernels)
-    [program], [output] = pages.blocks(TEXTS[name], language), pages.blocks(TEXTS[name], "text")
+    text = TEXTS[f"docs/howto/{name}.md"]
+    [program], [output] = pages.blocks(text, language), pages.blocks(text, "text")
     source = tmp_path / f"program.{language}"
-    source.write_text(program, encoding="utf-8")
+    further = [f"void part() {{\n{part}}}\n" for part in pages.blocks(text, r"\{code-block\} cpp")]
+    source.write_text(program + "".join(further), encoding="utf-8")
     compiler = [compilers.find()] if language == "c" else shlex.split(os.environ.get("CXX", "c++"))
-    subprocess.run([*compiler, "-I", tmp_path, source, "-o", tmp_path / "program", "-lm"], check=True)
+    subprocess.run([*compiler, "-I", tmp_path, source, "-o", tmp_path / "program", *libraries.split()], check=True)
     assert subprocess.run(tmp_path / "program", capture_output=True, text=True, check=True).stdout == output
 
 

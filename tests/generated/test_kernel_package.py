@@ -19,6 +19,8 @@ from derive import about
 from derive.codegen.package import index_texts, shared_texts
 from derive.codegen.targets import TARGETS
 from derive.output import write
+from dualcay._interface import OF_WORD, PoseKernels
+from dualcay.rotation._interface import RotationKernels
 from tests.support.kernels import BACKENDS, ORDERS, load, said
 
 MODULES = sorted([*(f"cayley{order}" for order in ORDERS), *about.FAMILIES])
@@ -31,7 +33,7 @@ def test_the_version_matches_the_toolkit() -> None:
 def test_the_package_lists_its_modules_and_functions() -> None:
     assert set(MODULES) <= set(dir(dualcay))
     public = {name for name in dir(dualcay) if not name.startswith("_")}
-    assert public == {*MODULES, *dualcay.__all__, "dask", "extended", "interop", "rotation"}
+    assert public == {*MODULES, *dualcay.__all__, "dask", "extended", "interop", "plot", "rotation"}
     assert all(hasattr(dualcay, name) for name in dir(dualcay))
 
 
@@ -64,6 +66,19 @@ def test_unknown_name_is_refused_with_the_known_modules() -> None:
             getattr(dualcay, name)
     with pytest.raises(ImportError, match="cannot import name 'nonsense'"):
         from dualcay import nonsense  # noqa: F401
+
+
+def test_words_of_other_libraries_name_the_function_here() -> None:
+    for home, kernels in ((dualcay.cayley2, PoseKernels), (dualcay.rotation.cayley2, RotationKernels)):
+        for word, functions in OF_WORD.items():
+            found = next((name for name in functions if hasattr(kernels, name)), None)
+            if found is None:
+                continue
+            with pytest.raises(AttributeError, match=rf"^module '{home.__name__}' has no .*'; here it is {found}$"):
+                getattr(home, word.title())
+        with pytest.raises(AttributeError, match=r"has no attribute 'posse'$"):
+            home.posse  # noqa: B018
+    assert all(hasattr(PoseKernels, names[0]) for names in OF_WORD.values())
 
 
 def test_python_m_dualcay_prints_version_modules_and_backends() -> None:
@@ -119,7 +134,7 @@ def test_folder_of_kernels_is_typed_in_a_users_project(tmp_path: Path, target: s
 
 ROOT = Path(__file__).resolve().parents[2]
 SCIPY = ("_solving.py", "_stepping.py", "_trajectory.py", "_twist.py", "interop.py")
-OPTIONAL = {"dask.py": {"dask"}} | {name: {"scipy"} for name in SCIPY}
+OPTIONAL = {"dask.py": {"dask"}, "plot.py": {"matplotlib"}} | {name: {"scipy"} for name in SCIPY}
 """Libraries that modules of tools import, by file."""
 
 BLOCK = """

@@ -73,6 +73,18 @@ def test_the_identity_has_no_axis_and_the_edge_no_vector() -> None:
     assert dualcay.rotation.cayley1.from_quaternion([0.0, 0, 0, 1])[2] == np.inf
 
 
+@pytest.mark.parametrize("axis", [-1, 0])
+@pytest.mark.parametrize(
+    ("name", "part"), [("pose", (3,)), ("from_quaternion", (4,)), ("from_pose", (3, 3)), ("from_tensor", (3, 3))]
+)
+def test_functions_of_poses_say_where_rotations_are(name: str, part: tuple[int, ...], axis: int) -> None:
+    shape = (*part, 7) if axis == 0 else (7, *part)
+    with pytest.raises(ValueError, match=rf"got {re.escape(str(shape))}; rotations alone: dualcay\.rotation$"):
+        getattr(dualcay.cayley2, name)(np.zeros(shape), axis=axis)
+    with pytest.raises(ValueError, match=r"got \(\d.*\)$"):
+        getattr(dualcay.cayley2, name)(np.zeros((*part, 7)), axis=-1)
+
+
 def test_rotations_take_three_components_and_an_angle_by_position() -> None:
     m = dualcay.rotation.cayley2
     with pytest.raises(ValueError, match=r"v must have shape \(\.\.\., 3\), got \(6,\)"):

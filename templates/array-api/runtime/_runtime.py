@@ -14,7 +14,7 @@ from fractions import Fraction
 from itertools import product
 from typing import Any
 
-from ._chart import Array, Call, Chart, Components, Shape
+from ._chart import Array, Call, Chart, Components, Shape, shape_error
 from ._libraries import Namespace, functions_for, functions_of, kind_of, library_of, no_array
 
 
@@ -58,9 +58,7 @@ def as_array(m: Namespace, name: str, value: Array, part: Shape, axis: int, real
     shape = tuple(value.shape)
     found = shape[: len(part)] if axis == 0 else shape[len(shape) - len(part) :]
     if found != part:
-        inner = ", ".join(map(str, part))
-        expected = f"({inner}, ...)" if axis == 0 else f"(..., {inner})"
-        raise ValueError(f"{name} must have shape {expected}, got {shape}")
+        raise shape_error(name, part, axis, shape)
     if real and kind_of(value.dtype).startswith("complex"):
         raise TypeError(f"{name} must be real: this function selects branches; got dtype {kind_of(value.dtype)}")
     return m.floating(value)

@@ -29,6 +29,9 @@ class Path(Protocol):
     """Vectors of a motion and their time derivatives, at times from ``begin`` to ``end``."""
 
     @property
+    def module(self) -> Any: ...
+
+    @property
     def begin(self) -> float: ...
 
     @property
@@ -69,6 +72,11 @@ class Motion:
     switches: NDArray[np.float64]
     covariance: NDArray[np.float64] | None
     _path: Path = field(repr=False)
+
+    @property
+    def module(self) -> Any:
+        """Kernel module of v."""
+        return self._path.module
 
     def __call__(self, t: ArrayLike, order: Literal[0, 1, 2] = 0) -> NDArray[np.float64]:
         """Return v or a time derivative of v at times of any shape.

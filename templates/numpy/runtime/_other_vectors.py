@@ -1,11 +1,19 @@
-"""Vectors and matrices as other libraries have them: the order of a twist, and the Cayley vector of 4x4 matrices."""
+"""Vectors and matrices as other libraries have them: the order of a twist, and the Cayley vector of 4x4 matrices.
+
+They take arrays of JAX too, also under ``jit``.
+"""
 
 from __future__ import annotations
+
+from typing import cast
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from ._kernel import Array
+
+SWAPPED = np.array([3, 4, 5, 0, 1, 2])
+"""Places of [v, ω] in [ω, v], and the other way round."""
 
 
 def to_linear_angular(twist: ArrayLike) -> Array:
@@ -30,7 +38,7 @@ def to_linear_angular(twist: ArrayLike) -> Array:
     >>> to_linear_angular([1, 2, 3, 40, 50, 60])
     array([40, 50, 60,  1,  2,  3])
     """
-    return np.roll(components("twist", twist, 6), 3, axis=-1)
+    return components("twist", twist, 6)[..., SWAPPED]
 
 
 def from_linear_angular(twist: ArrayLike) -> Array:
@@ -79,8 +87,7 @@ def to_linear_angular_matrix(matrix: ArrayLike) -> Array:
     >>> np.allclose(to_linear_angular(adjoint @ twist), to_linear_angular_matrix(adjoint) @ to_linear_angular(twist))
     True
     """
-    array = components("matrix", matrix, 6, 6)
-    return np.roll(array, (3, 3), axis=(-2, -1))
+    return components("matrix", matrix, 6, 6)[..., SWAPPED[:, None], SWAPPED]
 
 
 def from_linear_angular_matrix(matrix: ArrayLike) -> Array:
@@ -134,9 +141,10 @@ def to_cayley_4x4(v: ArrayLike, scale: float = 1.0) -> Array:
     >>> to_cayley_4x4([0, 0, 0.5, 1, 2, 2.5])  # translations differ along the axis alone
     array([0. , 0. , 0.5, 1. , 2. , 2. ])
     """
-    real, dual = _halves("v", v)
+    array = components("v", v, 6)
+    real, dual = array[..., :3], array[..., 3:]
     factor = (real * dual).sum(axis=-1, keepdims=True) / (scale**2 + (real * real).sum(axis=-1, keepdims=True))
-    return np.concatenate([real, dual - factor * real], axis=-1)
+    return _joined(real, dual - factor * real)
 
 
 def from_cayley_4x4(vector: ArrayLike, scale: float = 1.0) -> Array:
@@ -162,19 +170,20 @@ def from_cayley_4x4(vector: ArrayLike, scale: float = 1.0) -> Array:
     >>> from_cayley_4x4([0, 0, 0.5, 1, 2, 2])
     array([0. , 0. , 0.5, 1. , 2. , 2.5])
     """
-    real, translation = _halves("vector", vector)
+    array = components("vector", vector, 6)
+    real, translation = array[..., :3], array[..., 3:]
     factor = (real * translation).sum(axis=-1, keepdims=True) / scale**2
-    return np.concatenate([real, translation + factor * real], axis=-1)
+    return _joined(real, translation + factor * real)
 
 
 def components(name: str, value: ArrayLike, *part: int) -> Array:
-    """Return an argument as an array, after a check of its component axes."""
-    array = np.asarray(value)
-    if array.shape[-len(part) :] != part:
-        raise ValueError(f"{name} must have shape (..., {', '.join(map(str, part))}), got {array.shape}")
+    """Return an argument as an array after a check of its component axes; arrays of JAX and CuPy stay what they are."""
+    array = cast("Array", value) if hasattr(value, "__array_namespace__") else np.asarray(value)
+    if tuple(array.shape)[-len(part) :] != part:
+        raise ValueError(f"{name} must have shape (..., {', '.join(map(str, part))}), got {tuple(array.shape)}")
     return array
 
 
-def _halves(name: str, value: ArrayLike) -> tuple[Array, Array]:
-    array = components(name, value, 6)
-    return array[..., :3], array[..., 3:]
+def _joined(first: Array, second: Array) -> Array:
+    found: Array = first.__array_namespace__().concat([first, second], axis=-1)
+    return found

@@ -18,6 +18,8 @@ import pytest
 import derive
 from derive import about
 from derive.__main__ import NEEDED
+from derive.claims.language.letters import LETTERS
+from derive.claims.language.operations import OPERATIONS
 from derive.claims.report import FORMATS
 from derive.cli import commands, display, options
 from derive.codegen import Difference
@@ -145,6 +147,7 @@ def test_command_in_a_header():
         ("show --phi tan(alpha/(2*n)) -n 7 --what p", ["p_7 = 1 - 21*x"]),
         ("show -n 66 --max-n 66 --what p", ["p_66 = "]),
         ("list", ["numpy", "committed: 1, 2, 3, 4, 5, 8", "tangent_inv", "transform_line"]),
+        ("list --claims", [*LETTERS, *(row.example for row in OPERATIONS.values())]),
     ],
 )
 def test_formulas_and_catalogues_are_printed(line: str, expected: list[str]):
@@ -190,7 +193,8 @@ def test_tables_fit_the_screen(tmp_path: Path, monkeypatch):
     done = dualcay("generate", "-n", "1", "-o", "k", cwd=tmp_path)
     assert max(map(len, done.stdout.splitlines())) <= 40
     assert re.match(r"kernels in k\ncayley1.py\n  theorems: \d+\n  proofs at n: \d+\n  calls validated: ", done.stdout)
-    assert max(map(len, dualcay("list").stdout.splitlines())) <= 40
+    for line in ("list", "list --claims"):
+        assert max(map(len, dualcay(*line.split()).stdout.splitlines())) <= 40
 
 
 def test_progress_on_a_pipe_is_silent_for_short_runs_and_sparse_for_long_ones(monkeypatch, capsys):

@@ -52,6 +52,7 @@ REFUSED = [
     ("verify --check", "--check needs the file that -o names"),
     ("verify --data", "--data needs the file that -o names"),
     ("verify --claim 'v*v == 1' --let v=vector", "column 1"),
+    ("check 'v*v == 1' --let v=vector", "column 1"),
     ("verify --claim 'v == v' --let v", "expected NAME=KIND"),
     ("verify --let v=vector", "belong to --claim"),
     ("verify --claim 'v == v' --let v=vectr", "expected vector"),

@@ -72,6 +72,13 @@ def test_undecided_entry_is_exit_1(monkeypatch, capsys) -> None:
     assert "no point on both sides" in capsys.readouterr().err
 
 
+@pytest.mark.parametrize(("claim", "code"), [("dot(v, w) == dot(w, v)", 0), ("cross(v, w) == cross(w, v)", 1)])
+def test_check_is_verify_of_one_claim(claim: str, code: int) -> None:
+    given = ("--let", "v=vector", "--let", "w=vector", "--domain", "norm(v) != 0", "--format", "json", "--strict")
+    alone, option = dualcay("check", claim, *given), dualcay("verify", "--claim", claim, *given)
+    assert (alone.returncode, alone.stdout, alone.stderr) == (code, option.stdout, option.stderr)
+
+
 LOADED = """
 import sys
 from derive.cli import commands
