@@ -16,6 +16,7 @@ from . import extended as extended
 from . import interop as interop
 from . import lambert as lambert
 from . import orthographic as orthographic
+from . import plot as plot
 from . import rotation as rotation
 from . import scaled1 as scaled1
 from . import scaled2 as scaled2
