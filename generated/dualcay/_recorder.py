@@ -15,7 +15,7 @@ from typing import Any
 
 import numpy as np
 
-from ._program import BITWISE, Function, Operation, Program, Rows, bits, equal, less, ordered, where
+from ._program import BITWISE, Function, Listing, Operation, Program, bits, equal, less, where
 
 COMMUTATIVE = (np.add, np.multiply, *BITWISE)
 """Operations whose operands are sorted, so that a + b and b + a are one entry."""
@@ -199,10 +199,6 @@ def record(text: Function, sizes: Sequence[int], dtype: np.dtype[Any]) -> Progra
     tape = Tape(dtype)
     arguments = [[tape.argument() for _ in range(size)] for size in sizes]
     outputs = [tape.index(output) for output in text(tape, *arguments)]
-    constants = tape.constants.values()
-    fixed = [number.index for argument in arguments for number in argument] + [number.index for number, _ in constants]
-    first = ordered(tape.operations, outputs)
-    both = [Rows(tape.operations, tape.masks, fixed, outputs, order) for order in (first, sorted(first))]
-    rows, runs = min(((rows, tuple(rows.runs())) for rows in both), key=lambda made: made[0].scratch.size)
-    numbers = tuple(np.array(value, dtype) for _, value in constants)
-    return Program(dtype, runs, numbers, rows.scratch.size, rows.masks.size, tuple(rows.views))
+    inputs = [number.index for argument in arguments for number in argument]
+    constants = {number.index: value for number, value in tape.constants.values()}
+    return Listing(dtype, tape.operations, tape.masks, inputs, constants, outputs).program()

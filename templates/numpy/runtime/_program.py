@@ -9,8 +9,8 @@ from __future__ import annotations
 import operator
 import sys
 from collections import deque
-from collections.abc import Callable, Iterable, Iterator, Sequence, Set
-from dataclasses import dataclass
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence, Set
+from dataclasses import dataclass, replace
 from functools import cache
 from itertools import groupby
 from operator import itemgetter
@@ -74,12 +74,64 @@ def where(mask: Array, a: Array, b: Array, out: Array) -> None:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
+class Listing:
+    """Entries of a recorded program: components of arguments, constants, and operations on earlier entries.
+
+    ``constants`` holds numbers by entry. Entries in ``truths`` are masks, or bits on the way to a selection.
+    """
+
+    dtype: np.dtype[Any]
+    operations: Sequence[Operation | None]
+    truths: Set[int]
+    inputs: Sequence[int]
+    constants: Mapping[int, Any]
+    outputs: Sequence[int]
+
+    def program(self) -> Program:
+        """Return the program with the fewer scratch rows, of the order depth first and that of recording."""
+        fixed, first = [*self.inputs, *self.constants], ordered(self.operations, self.outputs)
+        both = [Rows(self.operations, self.truths, fixed, self.outputs, order) for order in (first, sorted(first))]
+        rows, runs = min(((rows, tuple(rows.runs())) for rows in both), key=lambda made: made[0].scratch.size)
+        numbers = tuple(np.array(value, self.dtype) for value in self.constants.values())
+        return Program(self.dtype, runs, numbers, rows.scratch.size, rows.masks.size, tuple(rows.views), self)
+
+    def split(self, few: Set[int], table: int) -> tuple[Listing, Listing] | None:
+        """Return a listing of what depends on some inputs alone, and one of the rest; None if nothing does.
+
+        ``few`` are places of inputs; the last ``table`` inputs count as few. The results of the first listing are
+        inputs of the second one, before the table.
+        """
+        places = [place for place in range(len(self.inputs)) if place in few or place >= len(self.inputs) - table]
+        given = [self.inputs[place] for place in places]
+        early = {*given, *self.constants}
+        for index, operation in enumerate(self.operations):
+            if operation and early.issuperset(operation[1]):
+                early.add(index)
+        shared, seen, pending = dict[int, None](), set[int](), list(self.outputs)[::-1]
+        while pending:
+            index = pending.pop()
+            operation = self.operations[index]
+            if operation and index in early and index not in self.truths:
+                shared[index] = None
+            elif operation and index not in seen:
+                pending += operation[1]
+            seen.add(index)
+        if not shared:
+            return None
+        left = [None if index in shared else operation for index, operation in enumerate(self.operations)]
+        alone = len(self.inputs) - table
+        inputs = [*self.inputs[:alone], *shared, *self.inputs[alone:]]
+        return replace(self, inputs=given, outputs=[*shared]), replace(self, operations=left, inputs=inputs)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
 class Program:
     """Recorded program: calls of ``function(*operands, out)`` on rows, in order.
 
     Rows are numbered in the order: components of arguments, constants, outputs, ``scratch`` rows, rows of ``masks``,
     integer views of the rows in ``views``. A run holds the functions of calls with equally many operands. It has one
-    column of rows for each operand and for ``out``. A single call keeps all its rows in one column.
+    column of rows for each operand and for ``out``. A single call keeps all its rows in one column. ``listing`` holds
+    the operations as they were recorded.
     """
 
     dtype: np.dtype[Any]
@@ -88,6 +140,7 @@ class Program:
     scratch: int
     masks: int
     views: tuple[int, ...]
+    listing: Listing
 
     def run(self, rows: list[Array]) -> None:
         """Run every call on rows, given up to the masks; outputs must share no memory with arguments."""
