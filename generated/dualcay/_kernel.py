@@ -32,6 +32,9 @@ Shape: TypeAlias = tuple[int, ...]
 BLOCK = 16384
 """Largest number of elements of a block."""
 
+SCATTERED_APART = 6
+"""Most components of a result that are copied back one by one; NumPy's loop over them all is slower for so few."""
+
 CACHE_LINE = 64
 """Size in bytes of a cache line and of the widest vector register; scratch rows are aligned to it."""
 
@@ -181,7 +184,9 @@ class _Loop:
         rows += [*scratch, *self.program.mask_rows(masks)]
         self.program.run(rows)
         if self.scattered:
-            np.copyto(target, own.reshape(target.shape), casting="same_kind")
+            apart = components(self.shape) if len(staged) <= SCATTERED_APART else ((),)
+            for place, made in zip(apart, staged.reshape(len(apart), -1, *shape)):
+                np.copyto(target[place], made.reshape(target[place].shape), casting="same_kind")
 
     def _split(self, memory: Array, shape: Shape) -> Array:
         """Split memory into scratch rows of the given block shape."""
