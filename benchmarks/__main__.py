@@ -7,18 +7,20 @@ import sys
 from collections.abc import Iterator
 from pathlib import Path
 
-from benchmarks import kernels, maps, motion, native, page, plot, propagate, splines, tables, times
+from benchmarks import clouds, kernels, maps, motion, native, page, plot, propagate, splines, tables, times
 from benchmarks.timing import allocator_is_fixed, fix_allocator
 from derive.output.files import put
 
 
 def measure() -> Iterator[times.Timed]:
-    """Yield all times: maps beside libraries, rows and derivatives, compiled functions beside a C loop."""
+    """Yield all times: maps and clouds beside libraries, rows, derivatives, compiled functions beside a C loop."""
     with maps.forms() as packages:
         yield from maps.measure(packages)
+        yield from clouds.measure(packages)
         if maps.COMPILED in packages:
             yield from native.measure(packages[maps.COMPILED])
     yield from kernels.on_rows()
+    yield from kernels.of_jacobians()
     yield from kernels.of_derivatives()
 
 

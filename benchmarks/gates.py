@@ -24,7 +24,7 @@ OF_EXPONENTIAL = {"pose": (6, 3), "from_pose": (6, 3)}
 FORWARD = ("pose", "quaternion")
 """Functions with gates at every order; inverse maps have gates up to n = 2, since beyond they need an arc tangent."""
 
-SMALL_BATCH, OF_SMALL_BATCH = 100, (2, 1.2)
+SMALL_BATCH, OF_SMALL_BATCH = 100, (2, 1.3)
 """Number of poses, and least ratios for `pose` of a Cayley map and of the exponential."""
 
 SMALL = 1_000
@@ -116,8 +116,9 @@ def of_compiled(data: Data) -> Iterator[Gate]:
 
 def of_rows(data: Data) -> Iterator[Gate]:
     for timed in data.find(kernels.ON_ROWS, NUMPY):
-        ours, forms = (NUMPY, timed.chart), ((by, timed.chart) for by in (kernels.LAMBDIFY, kernels.C_FORM))
-        gated = {(timed.function, 10_000): 1.3, (timed.function, LARGE): 2.5}, {(timed.function, LARGE): 1 / 8}
+        forms = [(by, timed.chart) for by in (kernels.LAMBDIFY, kernels.FILLED, kernels.C_FORM)]
+        ours, filled = (NUMPY, timed.chart), {(timed.function, size): 1.0 for size in timed.ns}
+        gated = {(timed.function, 10_000): 1.3, (timed.function, LARGE): 2.5}, filled, {(timed.function, LARGE): 1 / 8}
         for form, least in zip(forms, gated, strict=True):
             yield from _gates(data, kernels.ON_ROWS, ours, form, least)
 

@@ -17,8 +17,8 @@ from benchmarks.timing import ALLOCATOR, table
 from derive.output.files import put
 
 ORDER = (
-    "slower", "maps", "rows", "derivatives", "given", "motion", "propagate", "splines", "compiling", "jitted",
-    "recorded", "gates",
+    "slower", "maps", "clouds", "rows", "jacobians", "derivatives", "given", "motion", "propagate", "splines",
+    "compiling", "jitted", "recorded", "gates",
 )  # fmt: skip
 """Names of the sections, in the order of the page."""
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 
-from benchmarks import gates, kernels, native, slower
+from benchmarks import clouds, gates, kernels, native, slower
 from benchmarks.maps import FUNCTIONS, NUMPY, PART, SIZES, name
 from benchmarks.peers import LETTERS, LIBRARIES
 from benchmarks.times import Data, shown
@@ -21,11 +21,13 @@ def sections(data: Data) -> dict[str, str]:
     """Return all sections of data by name."""
     return {
         "slower": _slower(data), "maps": _maps(data), "gates": _gates(data),
+        "clouds": clouds.section(data), "jacobians": kernels.section_of_jacobians(data),
         "rows": _compared(data, kernels.ON_ROWS, "Rows, a given result", NUMPY,
-            (kernels.LAMBDIFY, kernels.C_FORM, kernels.COPY),
-            "SymPy's functions return separate arrays of components, none for zeros and one for equal components. The "
-            "copy floor is the time of a copy that fills the result, a lower bound. A dash: SymPy needs minutes, or "
-            "more than 4 GB."),
+            (kernels.LAMBDIFY, kernels.FILLED, kernels.C_FORM, kernels.COPY),
+            "SymPy's functions are measured in two forms. As lambdify returns them, components are separate arrays: a "
+            "zero is a number, and equal components are one array. Filled, they are copied into one array of results, "
+            "as ours are. The copy floor is the time of a copy that fills the result, a lower bound. A dash: SymPy "
+            "needs minutes, or more than 4 GB."),
         "derivatives": _compared(data, kernels.DERIVATIVES, "Derivatives, components last", NUMPY,
             (kernels.JITTED, kernels.CALLED, kernels.STEPS),
             "JAX in forward mode and complex steps differentiate the same maps. `called` is JAX without compilation, "
