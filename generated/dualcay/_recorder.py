@@ -143,17 +143,11 @@ class Tape:
         return self.enter(on_bits if self.integer else on_booleans, a, b, mask=True)
 
     def where(self, mask: Any, a: Any, b: Any) -> Any:
-        """Return the entry that selects a if the mask is true, else b: ``b ^ ((a ^ b) & mask)`` if masks are bits."""
+        """Return the entry that selects a if the mask is true, else b."""
         if isinstance(mask, bool):
             return a if mask else b
         truth = self.masks.issuperset((self.index(a), self.index(b)))
-        if self.integer is None:
-            return self.enter(where, mask, a, b, mask=truth)
-        if isinstance(a, Number) or isinstance(b, Number):
-            differing = self.enter(np.bitwise_xor, a, b, mask=True)
-        else:
-            differing = self._constant_xor(a, b, self.integer)
-        return self.enter(np.bitwise_xor, self.enter(np.bitwise_and, differing, mask, mask=True), b, mask=truth)
+        return self.enter(where, mask, a, b, mask=truth)
 
     beside = staticmethod(add)
 
@@ -167,11 +161,6 @@ class Tape:
     def index(self, operand: Any) -> int:
         """Return the entry number of a recorded number or a constant."""
         return operand.index if isinstance(operand, Number) else self._constant(repr(operand), operand).index
-
-    def _constant_xor(self, a: Any, b: Any, integer: np.dtype[Any]) -> Number:
-        """Return the constant whose bits are those that differ between two constants."""
-        differing = np.array(a, self.dtype).view(integer) ^ np.array(b, self.dtype).view(integer)
-        return self._constant(hex(int(differing)), differing.view(self.dtype))
 
     def _constant(self, key: str, value: Any) -> Number:
         if key not in self.constants:

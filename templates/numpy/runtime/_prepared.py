@@ -8,14 +8,15 @@ from __future__ import annotations
 from collections import OrderedDict, deque
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
-from functools import partial
-from itertools import groupby
+from functools import lru_cache, partial
+from itertools import accumulate, groupby
 from math import prod
 from typing import Any, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
 
+from ._packed import Packing
 from ._program import COMPARISONS, Function, Program, bits, call, truth_bytes
 
 Array: TypeAlias = NDArray[Any]
@@ -23,6 +24,9 @@ Shape: TypeAlias = tuple[int, ...]
 
 PREPARED_MAX = 1024
 """Largest batch for a prepared program; in larger batches, copies of rows cost more than views."""
+
+PACKED_MAX = 256
+"""Largest batch whose operations are packed; in larger batches, copies of rows cost more than calls."""
 
 KEPT_MAX = 32
 """Largest number of prepared programs kept between calls."""
@@ -38,6 +42,13 @@ class Prepared:
         self, program: Program, parts: Sequence[Shape], table: int, shape: Shape, batch: Shape, axis: int
     ) -> None:
         cells = prod(batch)
+        if cells <= PACKED_MAX:
+            rows, result, self.calls = packing(program.listing).calls(cells)
+            ends = accumulate(map(prod, parts), initial=0)
+            laid = (rows[end : end + prod(part)] for end, part in zip(ends, parts))
+            self.given = [*(_laid_out(block, part, batch, axis) for block, part in zip(laid, parts)), *rows[sum(map(prod,parts)):]]
+            self.result = _laid_out(result, shape, batch, axis)
+            return
         sizes = [*map(prod, (*parts, shape)), program.scratch, program.masks]
         memory = np.split(np.empty((sum(sizes), cells), program.dtype), np.cumsum(sizes)[:-1])
         *given, result, scratch, masks = memory
@@ -62,6 +73,9 @@ class Prepared:
             np.copyto(staged, array)
         deque(map(call, self.calls), maxlen=0)
         np.copyto(result, self.result, casting="same_kind")
+
+
+packing = lru_cache(256)(Packing)
 
 
 def _in_blocks(calls: Sequence[partial[Any]], rows: Sequence[Array], block: Array) -> Iterator[partial[Any]]:

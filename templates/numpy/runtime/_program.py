@@ -89,11 +89,60 @@ class Listing:
 
     def program(self) -> Program:
         """Return the program with the fewer scratch rows, of the order depth first and that of recording."""
-        fixed, first = [*self.inputs, *self.constants], ordered(self.operations, self.outputs)
-        both = [Rows(self.operations, self.truths, fixed, self.outputs, order) for order in (first, sorted(first))]
+        of = self if bits(self.dtype) is None else self._on_bits()
+        fixed, first = [*of.inputs, *of.constants], ordered(of.operations, of.outputs)
+        both = [Rows(of.operations, of.truths, fixed, of.outputs, order) for order in (first, sorted(first))]
         rows, runs = min(((rows, tuple(rows.runs())) for rows in both), key=lambda made: made[0].scratch.size)
-        numbers = tuple(np.array(value, self.dtype) for value in self.constants.values())
-        return Program(self.dtype, runs, numbers, rows.scratch.size, rows.masks.size, tuple(rows.views), self)
+        numbers = tuple(np.array(value, of.dtype) for value in of.constants.values())
+        return Program(of.dtype, runs, numbers, rows.scratch.size, rows.masks.size, tuple(rows.views), self)
+
+    def needed(self) -> set[int]:
+        """Return the entries on which the outputs depend, with them."""
+        found, pending = set[int](), list(self.outputs)
+        while pending:
+            index = pending.pop()
+            if index not in found:
+                found.add(index)
+                pending += (self.operations[index] or (None, ()))[1]
+        return found
+
+    def _on_bits(self) -> Listing:
+        """Return the listing with ``((a ^ b) & mask) ^ b`` for each selection; the mask has all bits set or none."""
+        made, truths, constants, place, known = [], set[int](), dict[int, Any](), list[int](), dict[Operation, int]()
+
+        def enter(operation: Operation | None, truth: bool = True) -> int:
+            if operation is None or operation not in known:
+                made.append(operation)
+                if operation is None:
+                    return len(made) - 1
+                known[operation] = len(made) - 1
+                if truth:
+                    truths.add(len(made) - 1)
+            return known[operation]
+
+        for index, operation in enumerate(self.operations):
+            if operation is None:
+                place.append(enter(None))
+                if index in self.constants:
+                    constants[place[-1]] = self.constants[index]
+                continue
+            function, operands = operation[0], tuple(place[i] for i in operation[1])
+            if function is where:
+                mask, a, b = operands
+                if a in constants and b in constants:
+                    differing = enter(None)
+                    constants[differing] = self._differing(constants[a], constants[b])
+                else:
+                    differing = enter((np.bitwise_xor, (a, b)))
+                function, operands = np.bitwise_xor, (enter((np.bitwise_and, (differing, mask))), b)
+            place.append(enter((function, operands), index in self.truths))
+        inputs, outputs = ([place[index] for index in of] for of in (self.inputs, self.outputs))
+        return Listing(self.dtype, made, truths, inputs, constants, outputs)
+
+    def _differing(self, *numbers: Any) -> Any:
+        """Return the number whose bits are those that differ between two numbers."""
+        a, b = (np.array(number, self.dtype).view(bits(self.dtype)) for number in numbers)
+        return (a ^ b).view(self.dtype)
 
     def split(self, few: Set[int], table: int) -> tuple[Listing, Listing] | None:
         """Return a listing of what depends on some inputs alone, and one of the rest; None if nothing does.
