@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import importlib
 from collections.abc import Iterator, Mapping, Sequence
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -39,27 +40,25 @@ def calls(packages: Mapping[str, str], pairing: str, size: int) -> dict[Key, Cal
     r = np.random.default_rng(3).uniform(-1, 1, (size, 3))[points]
     found: dict[Key, Call] = {}
     for form, chart in [(form, chart) for form in (NUMPY, COMPILED) if form in packages for chart in CHARTS]:
-        module = importlib.import_module(f"{packages[form]}.{chart}")
-        text = f"{chart}.transform_point(v, r)"
-        found[form, chart, text] = _call("module.transform_point(v, r)", module=module, v=drawn(chart, size).v[vectors], r=r)
+        kernel = importlib.import_module(f"{packages[form]}.{chart}").transform_point
+        found[form, chart, f"{chart}.transform_point(v, r)"] = partial(kernel, drawn(chart, size).v[vectors], r)
     T = drawn(CHARTS[0], size).T[vectors]
-    names = {"np": np, "r": r, "T": T, "Q": T[..., :3, :3], "d": T[..., :3, 3], "out": np.empty((size, 3)), **_of_libraries(T)}
+    ready: dict[str, Any] = {"np": np, "r": r, "T": T, "Q": T[..., :3, :3], "d": T[..., :3, 3]}
+    names = {**ready, "out": np.empty((size, 3)), **_of_libraries(T)}
     for by, texts in TEXTS.items():
-        if pairing in texts and (by != "SciPy" or "A" in names) and (by != "pytransform3d" or "transform" in names):
-            found[by, "", texts[pairing]] = _call(texts[pairing], **names)
+        if by in names.get("missing", ()) or pairing not in texts:
+            continue
+        found[by, "", texts[pairing]] = eval(f"lambda: {texts[pairing]}", names)
     return found
 
 
-def _call(text: str, **names: Any) -> Call:
-    made: Call = eval(f"lambda: {text}", names)
-    return made
-
-
 def _of_libraries(T: Any) -> dict[str, Any]:
-    """Return the names of libraries that are installed."""
+    """Return the names that calls of libraries use, and the libraries that are missing."""
     scipy, functions = load("scipy.spatial.transform"), load("pytransform3d.transformations")
-    found = {"A": scipy.RigidTransform.from_matrix(T)} if hasattr(scipy, "RigidTransform") else {}
-    return found | ({"transform": functions.transform, "vectors_to_points": functions.vectors_to_points} if functions else {})
+    rigid = getattr(scipy, "RigidTransform", None)
+    missing = [name for name, found in (("SciPy", rigid), ("pytransform3d", functions)) if found is None]
+    names = {"missing": missing, **(vars(functions) if functions else {})}
+    return names | ({"A": rigid.from_matrix(T)} if rigid else {})
 
 
 def section(data: Data) -> str:
@@ -71,10 +70,11 @@ def section(data: Data) -> str:
         mine = {of.function: of for of in data.find(PART, by, "", chart)}
         times = [mine[p].ns.get(size) if p in mine else None for p, size in columns]
         texts = dict.fromkeys(f"`{of.call}`" for of in mine.values())
-        rows.append([name(next(iter(mine.values()))), *("–" if ns is None else shown(ns) for ns in times), ", ".join(texts)])
+        label = name(next(iter(mine.values())))
+        rows.append([label, *("–" if ns is None else shown(ns) for ns in times), ", ".join(texts)])
     head = ("`transform_point`, ns per point", *(f"{pairing}, N = {size:,}" for pairing, size in columns), "call")
     return f"{markdown('Clouds of points', head, rows)}\n" + (
-        "N points are moved. Ours start from v and never form a matrix. For one v, what depends on it alone is computed "
-        "once. The others start from transforms that are ready: rotation matrices Q with translations d, SciPy's A, "
+        "N points are moved. Ours start from v and never form a matrix; what depends on one v alone is computed once. "
+        "The others start from transforms that are ready: rotation matrices Q with translations d, SciPy's A, "
         "homogeneous matrices T.\n"
     )

@@ -89,7 +89,8 @@ def jacobian_calls(function: str, size: int) -> dict[Key, Call]:
     poses, kernel = drawn(chart, size), getattr(_module(ORDER), function)
     rows = poses.v_rows, poses.w_rows
     out = kernel(*rows, axis=0)
-    fast = derivatives.jitted(jax, getattr(derivatives.array_module(ORDER), function), (poses.v, poses.w)) if jax else None
+    one = getattr(derivatives.array_module(ORDER), function)
+    fast = derivatives.jitted(jax, one, (poses.v, poses.w)) if jax else None
     made = {
         (NUMPY, f"{chart}.{function}(v, w, axis=0)"): partial(kernel, *rows, axis=0),
         (C_FORM, f"{chart}_{function}_rows"): compiled(ORDER, function, rows, out),
@@ -116,9 +117,9 @@ def section_of_jacobians(data: Data) -> str:
     ]  # fmt: skip
     head = ("function", "rounded operations", "C, ns per pose", "NumPy", "JAX, jitted", "copy floor")
     return f"{markdown('Functions of many operations', head, rows)}\n" + (
-        f"N = {COUNT:,}. C and NumPy have components first, JAX last and all cores. Operations are those of the listing "
-        "(`dualcay generate --target json`): sums, products, quotients, roots and functions, all rounded. The copy "
-        "floor writes each row of the result once.\n"
+        f"N = {COUNT:,}. C and NumPy have components first, JAX last and all cores. Operations are those of the "
+        "listing (`dualcay generate --target json`): sums, products, quotients, roots and functions. "
+        "The copy floor writes each row of the result once.\n"
     )
 
 

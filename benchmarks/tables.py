@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 
 from benchmarks import clouds, gates, kernels, native, slower
-from benchmarks.maps import FUNCTIONS, NUMPY, PART, SIZES, name
+from benchmarks.maps import FUNCTIONS, NUMPY, PART, SIZES, SMALL, SMALL_SIZES, name
 from benchmarks.peers import LETTERS, LIBRARIES
-from benchmarks.times import Data, shown
+from benchmarks.times import Data, Timed, shown
 from benchmarks.timing import markdown, table
 
 TITLES = {
@@ -57,14 +57,22 @@ def _maps(data: Data) -> str:
     ]
     for function in FUNCTIONS:
         found = data.find(PART, "", function)
-        body = [[name(of), *(shown(of.ns[n]) if n in of.ns else "–" for n in SIZES), f"`{of.call}`"] for of in found]
+        body = _body(found, SIZES)
         absent = [library for library, of in LIBRARIES.items() if function in of.texts and not data.find(PART, library)]
         body += [[library, *("not installed" for _ in SIZES), f"`{LIBRARIES[library].texts[function][0]}`"]
                  for library in absent]  # fmt: skip
         heads = (f"`{function}`, ns per pose", *(f"N = {n:,}" for n in SIZES), "call")
         title = f"{TITLES[function]}, {function}: {len(body)} calls"
         texts.append(f"<details><summary>{title}</summary>\n\n{table(heads, body)}\n\n</details>\n")
+    heads = ("`pose`, ns per pose", *(f"N = {n:,}" for n in SMALL_SIZES), "call")
+    small = table(heads, _body(data.find(SMALL), SMALL_SIZES))
+    texts.append(f"<details><summary>Small batches, pose</summary>\n\n{small}\n\n</details>\n")
     return "\n".join(texts)
+
+
+def _body(found: Sequence[Timed], sizes: Sequence[int]) -> list[list[str]]:
+    """Return the cells of a table with a line for each call."""
+    return [[name(of), *(shown(of.ns[n]) if n in of.ns else "–" for n in sizes), f"`{of.call}`"] for of in found]
 
 
 def _compared(data: Data, part: str, title: str, ours: str, others: Sequence[str], note: str) -> str:

@@ -9,10 +9,11 @@ into a call, if their operands lie in order or can be copied together with fewer
 
 from __future__ import annotations
 
+import itertools
 from collections import Counter
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
-from functools import partial
+from functools import cached_property, partial
 from typing import Any, TypeAlias
 
 import numpy as np
@@ -27,12 +28,11 @@ Operand: TypeAlias = Place | int
 ROW_COST = 0.1
 """Cost of an operation on a row of a small batch, as a share of that of a call."""
 
-ON_BOOLEANS = {**COMPARISONS, np.bitwise_and: np.logical_and, np.bitwise_or: np.logical_or}
+COPIED = "copied "
+"""Prefix of the names of memories for copies: rows are copied faster from one array to another."""
 
-
-def copied(rows: Array, index: Array, out: Array) -> Callable[[], Any]:
-    """Return a call that copies rows of another array; faster than indexing."""
-    return partial(rows.take, index, 0, out, "clip")
+ON_BOOLEANS: Mapping[Function, Function] = {**COMPARISONS, np.bitwise_and: np.logical_and, np.bitwise_or: np.logical_or}
+"""Functions on truth values that are booleans, by those of recorded programs."""
 
 
 @dataclass(eq=False)
@@ -83,20 +83,35 @@ class Packing:
 
     def _found(self, entries: Sequence[int]) -> Operand | None:
         """Return where entries lie in order; None if they do not."""
-        if entries[0] in self.listing.constants and len({*entries}) == 1:
-            return entries[0]
-        for block, row in self.places.get(entries[0], ()):
-            if self.blocks[block][row : row + len(entries)] == entries:
-                return block, row, len(entries)
-        return None
+        length, found = self._longest(entries, 0)
+        return found if length == len(entries) else None
+
+    def _longest(self, entries: Sequence[int], start: int) -> tuple[int, Operand]:
+        """Return how many entries lie in order from a start on, at most, and where."""
+        first, most = entries[start], len(entries) - start
+        if first in self.listing.constants:
+            same = next((i for i in range(most) if entries[start + i] != first), most)
+            if same == most or same > 1:
+                return same, first
+        best: tuple[int, Operand] = (0, first)
+        for block, row in self.places[first]:
+            lie = self.blocks[block]
+            room, count = min(most, len(lie) - row), 1
+            while count < room and lie[row + count] == entries[start + count]:
+                count += 1
+            if count > best[0]:
+                best = count, (block, row, count)
+        return best
 
     def _pack(self, function: Function, group: list[int]) -> None:
-        """Add the steps of a group: the cheapest of some orders, in one call or in pieces whose operands lie in order."""
-        cost, order, pieces = min((self._costs(order) for order in self._orders(group)), key=lambda made: made[0])
+        """Add the steps of a group in the cheapest of some orders, in one call or in pieces."""
+        _, order, pieces = min((self._costs(order) for order in self._orders(group)), key=lambda made: made[0])
         for start, end in pieces:
             self._step(function, order[start:end])
 
     def _orders(self, group: list[int]) -> Iterator[list[int]]:
+        """Yield orders of a group: as recorded, and by the places of the first or of the last operands."""
+
         def place(index: int, operand: int) -> tuple[int, int]:
             return self.places[self._operands(index)[operand]][-1]
 
@@ -106,24 +121,26 @@ class Packing:
             yield sorted(group, key=lambda index: (place(index, -1), place(index, 0)))
 
     def _costs(self, order: list[int]) -> tuple[float, list[int], list[tuple[int, int]]]:
-        columns = [list(column) for column in zip(*map(self._operands, order))]
-        count = len(order)
-        whole = 1 + sum(not self._found(column) for column in columns)
+        """Return the cost of a group in an order, the order, and the pieces of it that are a call each.
+
+        It is one piece after copies of operands, or pieces whose operands lie in order.
+        """
+        columns, count = [*zip(*map(self._operands, order))], len(order)
+        whole = 1 + sum(self._longest(column, 0)[0] < count for column in columns)
         pieces, start = [], 0
         while start < count:
-            end = count
-            while end > start + 1 and not all(self._found(column[start:end]) for column in columns):
-                end -= 1
+            end = start + min(self._longest(column, start)[0] for column in columns)
             pieces.append((start, end))
             start = end
         apart, together = len(pieces) + ROW_COST * count, whole * (1 + ROW_COST * count)
         return (apart, order, pieces) if apart <= together else (together, order, [(0, count)])
 
     def _step(self, function: Function, group: list[int]) -> None:
+        """Add a call for a group, after copies of operands that do not lie in order."""
         memory = "truths" if group[0] in self.listing.truths else "numbers"
-        columns = [list(column) for column in zip(*map(self._operands, group))]
+        columns = [*zip(*map(self._operands, group))]
         operands = [self._together(column) for column in columns]
-        self.uses -= Counter(entry for column in columns for entry in column)
+        self.uses.subtract(itertools.chain.from_iterable(columns))
         if function is not where:
             self.steps.append((ON_BOOLEANS.get(function, function), operands, self._block(memory, group)))
             return
@@ -145,74 +162,75 @@ class Packing:
         entries = self.blocks[block][row : row + count]
         return block > 1 and self.memories[block] == memory and not any(self.uses[entry] for entry in entries)
 
-    def _together(self, entries: list[int]) -> Operand:
+    def _together(self, entries: Sequence[int]) -> Operand:
         """Return where entries lie in order, perhaps after a step that copies them there."""
         found = self._found(entries)
         if found is None:
-            kind = "copied truths" if entries[0] in self.listing.truths else "copied numbers"
-            found = self._block(kind, entries)
+            kind = "truths" if entries[0] in self.listing.truths else "numbers"
+            found = self._block(COPIED + kind, [*entries])
             self.steps.append((None, [self._original(entry) for entry in entries], found))
         return found
 
     def _original(self, entry: int) -> Place:
         """Return the place of an entry that is no copy."""
-        block, row = next(at for at in self.places[entry] if not self.memories[at[0]].startswith("copied"))
+        block, row = next(at for at in self.places[entry] if not self.memories[at[0]].startswith(COPIED))
         return block, row, 1
 
-    def layout(self) -> tuple[list[int], Mapping[str, int]]:
+    @cached_property
+    def layout(self) -> tuple[Sequence[int], Mapping[str, int]]:
         """Return the first row of each block in its memory, and the number of rows of each memory.
 
         Rows of blocks that no later step reads or writes are used again.
         """
-        last = {0: len(self.steps), 1: len(self.steps)} | {self._original(i)[0]: len(self.steps) for i in self.listing.outputs}
-        first: dict[int, int] = {0: -1, 1: -1}
+        end = len(self.steps)
+        first, last = {0: -1, 1: -1}, {0: end, 1: end}
         for number, (_, operands, made) in enumerate(self.steps):
-            for place in (*operands, made):
-                if isinstance(place, tuple):
-                    first.setdefault(place[0], number)
-                    last[place[0]] = max(last.get(place[0], 0), number)
-        starts, sizes, kept = [0] * len(self.blocks), Counter[str](), list[int]()
+            for block in (place[0] for place in (*operands, made) if isinstance(place, tuple)):
+                first.setdefault(block, number)
+                last[block] = max(last.get(block, 0), number)
+        last |= {self._original(entry)[0]: end for entry in self.listing.outputs}
+        starts, sizes, kept = [0] * len(self.blocks), dict[str, int](), list[int]()
         for block in sorted(first, key=lambda block: first[block]):
+            memory, count, row = self.memories[block], len(self.blocks[block]), 0
             kept = [other for other in kept if last[other] >= first[block]]
-            same = sorted((starts[o], starts[o] + len(self.blocks[o])) for o in kept if self.memories[o] == self.memories[block])
-            row, count = 0, len(self.blocks[block])
-            for start, end in same:
+            same = (other for other in kept if self.memories[other] == memory)
+            for start, size in sorted((starts[other], len(self.blocks[other])) for other in same):
                 if row + count <= start:
                     break
-                row = max(row, end)
+                row = max(row, start + size)
             starts[block] = row
-            sizes[self.memories[block]] = max(sizes[self.memories[block]], row + count)
+            sizes[memory] = max(sizes.get(memory, 0), row + count)
             kept.append(block)
         return starts, sizes
 
     def calls(self, cells: int) -> tuple[Array, Array, list[Callable[[], Any]]]:
         """Return rows for the arguments and for the result, and the calls that compute it, for a number of poses."""
-        of = self.listing
-        starts, sizes = self.layout()
-        memory = {name: np.empty((size, cells), bool if name.endswith("truths") else of.dtype) for name, size in sizes.items()}
+        of, (starts, sizes) = self.listing, self.layout
+        types = {name: bool if name.endswith("truths") else of.dtype for name in sizes}
+        memory = {name: np.empty((size, cells), types[name]) for name, size in sizes.items()}
         numbers = {entry: np.array(value, of.dtype) for entry, value in of.constants.items()}
         for row, number in enumerate(numbers.values(), starts[1]):
             memory["numbers"][row] = number
 
-        def rows(place: Operand) -> Array:
-            if not isinstance(place, tuple):
-                return numbers[place]
-            start = starts[place[0]] + place[1]
-            return memory[self.memories[place[0]]][start : start + place[2]]
+        def rows(operand: Operand) -> Array:
+            if not isinstance(operand, tuple):
+                return numbers[operand]
+            block, row, count = operand
+            return memory[self.memories[block]][starts[block] + row : starts[block] + row + count].reshape(-1)
 
-        def index(places: Sequence[Operand]) -> Array:
-            return np.array([starts[place[0]] + place[1] for place in places if isinstance(place, tuple)], np.intp)
+        def copies(places: Sequence[Operand], source: str, out: Array) -> Callable[[], Any]:
+            index = [starts[place[0]] + place[1] for place in places if isinstance(place, tuple)]
+            return partial(memory[source].take, np.array(index, np.intp), 0, out, "clip")  # faster than by an index
 
         made: list[Callable[[], Any]] = []
         for function, operands, place in self.steps:
-            given, out = [rows(operand).reshape(-1) if isinstance(operand, tuple) else rows(operand) for operand in operands], rows(place)
             if function is None:
-                source = memory[self.memories[place[0]].removeprefix("copied ")]
-                made.append(copied(source, index(operands), out))
+                source = self.memories[place[0]].removeprefix(COPIED)
+                made.append(copies(operands, source, rows(place).reshape(-1, cells)))
             elif function in (np.putmask, np.copyto):
-                made.append(partial(function, out.reshape(-1), *given))
+                made.append(partial(function, rows(place), *map(rows, operands)))
             else:
-                made.append(partial(function, *given, out.reshape(-1)))
+                made.append(partial(function, *map(rows, operands), rows(place)))
         result = np.empty((len(of.outputs), cells), of.dtype)
-        made.append(copied(memory["numbers"], index([self._original(entry) for entry in of.outputs]), result))
-        return rows(self.given), result, made
+        made.append(copies([self._original(entry) for entry in of.outputs], "numbers", result))
+        return rows(self.given).reshape(-1, cells), result, made

@@ -144,7 +144,7 @@ class Listing:
 
     def _differing(self, *numbers: Any) -> Any:
         """Return the number whose bits are those that differ between two numbers."""
-        a, b = (np.array(number, self.dtype).view(bits(self.dtype)) for number in numbers)
+        a, b = (np.array(number, self.dtype).view(f"i{self.dtype.itemsize}") for number in numbers)
         return (a ^ b).view(self.dtype)
 
     def split(self, few: Set[int], table: int) -> tuple[Listing, Listing] | None:
