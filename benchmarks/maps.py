@@ -45,7 +45,12 @@ def measure(packages: Mapping[str, str], sizes: Sequence[int] = SIZES) -> Iterat
     """Yield the times of all calls; packages of kernels by their form."""
     groups = ((function, size, calls(packages, function, size)) for size in sizes for function in FUNCTIONS)
     yield from timed(PART, groups)
-    yield from timed(SMALL, (("pose", size, calls({NUMPY: packages[NUMPY]}, "pose", size)) for size in SMALL_SIZES))
+
+
+def on_small_batches(packages: Mapping[str, str]) -> Iterator[Timed]:
+    """Yield the times of ``pose`` in NumPy and in libraries for some small batches."""
+    numpy = {NUMPY: packages[NUMPY]}
+    yield from timed(SMALL, (("pose", size, calls(numpy, "pose", size)) for size in SMALL_SIZES))
 
 
 def calls(packages: Mapping[str, str], function: str, size: int) -> dict[Key, Call]:

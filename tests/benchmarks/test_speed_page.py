@@ -69,6 +69,14 @@ def test_times_of_missing_libraries_are_kept_with_their_commit() -> None:
     assert "not installed" in tables.sections(data(of(NUMPY, "cayley2", 1.0)))["maps"]
 
 
+def test_parts_that_are_measured_later_name_their_commit() -> None:
+    former = data(of(NUMPY, "cayley2", 2.0), of(NUMPY, "cayley2", 5.0, part="rows"))
+    found = former.with_parts(data(of(NUMPY, "cayley2", 1.0, part="rows"), commit="2"))
+    assert [timed.ns[1] for timed in found.times] == [2.0, 1.0]
+    assert "commit 1," in page.head(found)
+    assert "Part `rows` was measured later, at commit 2." in page.head(found)
+
+
 # --- gates and faster libraries ---------------------------------------------------------------------------------------
 
 
@@ -125,7 +133,7 @@ def test_command_writes_page_data_and_plot_and_keeps_other_sections(
     output = tmp_path / "speed.md"
     output.write_text(page.joined("# Speed", {"recorded": "## Former\n\n| a |\n|---|\n| 1 |\n"}), encoding="utf-8")
     monkeypatch.setattr(sys, "argv", ["benchmarks", "-o", str(output)])
-    monkeypatch.setattr(command, "measure", lambda: [of(NUMPY, "cayley2", 1.0), of("SciPy", "", 2.0)])
+    monkeypatch.setattr(command, "measure", lambda _: [of(NUMPY, "cayley2", 1.0), of("SciPy", "", 2.0)])
     monkeypatch.setattr(command.motion, "section", lambda: "## Motion")
     monkeypatch.setattr(command.propagate, "section", lambda: "## Propagation")
     monkeypatch.setattr(command.splines, "section", lambda: "## Splines")

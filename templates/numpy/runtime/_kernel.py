@@ -181,9 +181,9 @@ class _Loop:
         rows += [*scratch, *self.program.mask_rows(masks)]
         self.program.run(rows)
         if self.scattered:
-            apart = components(self.shape) if len(staged) <= SCATTERED_APART else ((),)
-            for place, made in zip(apart, staged.reshape(len(apart), -1, *shape)):
-                np.copyto(target[place], made.reshape(target[place].shape), casting="same_kind")
+            made = staged.reshape(target.shape)
+            for place in components(self.shape) if len(staged) <= SCATTERED_APART else (...,):
+                np.copyto(target[place], made[place], casting="same_kind")
 
     def _split(self, memory: Array, shape: Shape) -> Array:
         """Split memory into scratch rows of the given block shape."""
