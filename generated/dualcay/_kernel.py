@@ -21,7 +21,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ._prepared import PREPARED_MAX, run_prepared
-from ._program import Program
+from ._program import Program, program_of
 
 Array: TypeAlias = NDArray[Any]
 Components: TypeAlias = Sequence[Any]
@@ -134,7 +134,7 @@ def _halves(
     """Return the programs of what depends on a few arguments alone, and of the rest; None if nothing does."""
     ends = list(itertools.accumulate(map(math.prod, parts), initial=0))
     halves = program.listing.split({i for place in few for i in range(ends[place], ends[place + 1])}, table)
-    return (halves[0].program(), halves[1].program()) if halves else None
+    return (program_of(halves[0]), program_of(halves[1])) if halves else None
 
 
 def staged(batch: Shape) -> bool:

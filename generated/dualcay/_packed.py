@@ -19,14 +19,12 @@ from typing import Any, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from ._program import COMPARISONS, Function, Listing, where
+from ._listing import Function, Listing, where
+from ._program import COMPARISONS
 
 Array: TypeAlias = NDArray[Any]
 Place: TypeAlias = tuple[int, int, int]
 Operand: TypeAlias = Place | int
-
-ROW_COST = 0.1
-"""Cost of an operation on a row of a small batch, as a share of that of a call."""
 
 COPIED = "copied "
 """Prefix of the names of memories for copies: rows are copied faster from one array to another."""
@@ -104,10 +102,10 @@ class Packing:
         return best
 
     def _pack(self, function: Function, group: list[int]) -> None:
-        """Add the steps of a group in the cheapest of some orders, in one call or in pieces."""
-        _, order, pieces = min((self._costs(order) for order in self._orders(group)), key=lambda made: made[0])
-        for start, end in pieces:
-            self._step(function, order[start:end])
+        """Add the steps of a group: the fewest calls that some orders and some ways to cut them need."""
+        ways = (way for order in self._orders(group) for way in self._ways(order))
+        for part in min(ways, key=lambda parts: sum(map(self._calls, parts))):
+            self._step(function, part)
 
     def _orders(self, group: list[int]) -> Iterator[list[int]]:
         """Yield orders of a group: as recorded, and by the places of the first or of the last operands."""
@@ -120,20 +118,20 @@ class Packing:
             yield sorted(group, key=lambda index: (place(index, 0), place(index, -1)))
             yield sorted(group, key=lambda index: (place(index, -1), place(index, 0)))
 
-    def _costs(self, order: list[int]) -> tuple[float, list[int], list[tuple[int, int]]]:
-        """Return the cost of a group in an order, the order, and the pieces of it that are a call each.
-
-        It is one piece after copies of operands, or pieces whose operands lie in order.
-        """
-        columns, count = [*zip(*map(self._operands, order))], len(order)
-        whole = 1 + sum(self._longest(column, 0)[0] < count for column in columns)
-        pieces, start = [], 0
-        while start < count:
+    def _ways(self, order: list[int]) -> Iterator[list[list[int]]]:
+        """Yield ways to cut an order: into pieces whose operands lie in order, or not at all."""
+        columns, pieces, start = [*zip(*map(self._operands, order))], list[list[int]](), 0
+        while start < len(order):
             end = start + min(self._longest(column, start)[0] for column in columns)
-            pieces.append((start, end))
+            pieces.append(order[start:end])
             start = end
-        apart, together = len(pieces) + ROW_COST * count, whole * (1 + ROW_COST * count)
-        return (apart, order, pieces) if apart <= together else (together, order, [(0, count)])
+        yield pieces
+        if len(pieces) > 1:
+            yield [order]
+
+    def _calls(self, part: list[int]) -> int:
+        """Return the number of calls of a part: its own, and copies of operands that do not lie in order."""
+        return 1 + sum(self._longest(column, 0)[0] < len(part) for column in zip(*map(self._operands, part)))
 
     def _step(self, function: Function, group: list[int]) -> None:
         """Add a call for a group, after copies of operands that do not lie in order."""

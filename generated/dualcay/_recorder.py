@@ -15,7 +15,8 @@ from typing import Any
 
 import numpy as np
 
-from ._program import BITWISE, Function, Listing, Operation, Program, bits, equal, less, where
+from ._listing import Function, Listing, Operation, where
+from ._program import BITWISE, Program, bits, equal, less, program_of
 
 COMMUTATIVE = (np.add, np.multiply, *BITWISE)
 """Operations whose operands are sorted, so that a + b and b + a are one entry."""
@@ -190,4 +191,4 @@ def record(text: Function, sizes: Sequence[int], dtype: np.dtype[Any]) -> Progra
     outputs = [tape.index(output) for output in text(tape, *arguments)]
     inputs = [number.index for argument in arguments for number in argument]
     constants = {number.index: value for number, value in tape.constants.values()}
-    return Listing(dtype, tape.operations, tape.masks, inputs, constants, outputs).program()
+    return program_of(Listing(dtype, tape.operations, tape.masks, inputs, constants, outputs))

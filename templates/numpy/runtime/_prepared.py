@@ -16,8 +16,9 @@ from typing import Any, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
+from ._listing import Function
 from ._packed import Packing
-from ._program import COMPARISONS, Function, Program, bits, call, truth_bytes
+from ._program import COMPARISONS, Program, bits, call, truth_bytes
 
 Array: TypeAlias = NDArray[Any]
 Call: TypeAlias = Callable[[], Any]
