@@ -184,8 +184,8 @@ class _Loop:
         rows += [*scratch, *self.program.mask_rows(masks)]
         self.program.run(rows)
         if self.scattered:
-            made = staged.reshape(target.shape)
-            for place in components(self.shape) if len(staged) <= SCATTERED_APART else (...,):
+            made = own.reshape(target.shape)
+            for place in components(self.shape) if len(own) <= SCATTERED_APART else (...,):
                 np.copyto(target[place], made[place], casting="same_kind")
 
     def _split(self, memory: Array, shape: Shape) -> Array:
