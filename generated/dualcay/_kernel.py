@@ -179,7 +179,7 @@ class _Loop:
                 rows += [block[i] for i in components(part)]
         rows += self.fixed
         own, spare = _cut(spare, self.scattered * math.prod(self.shape))
-        rows += own if self.scattered else [target[i] for i in components(self.shape)]
+        rows += [*own] if self.scattered else [target[i] for i in components(self.shape)]
         scratch, masks = _cut(spare, self.program.scratch)
         rows += [*scratch, *self.program.mask_rows(masks)]
         self.program.run(rows)
