@@ -4,22 +4,33 @@ from __future__ import annotations
 
 import argparse
 import sys
-from collections.abc import Iterator
+from collections.abc import Callable, Collection, Iterator
+from contextlib import nullcontext
+from functools import partial
 from pathlib import Path
 
-from benchmarks import kernels, maps, motion, native, page, plot, propagate, splines, tables, times
+from benchmarks import clouds, kernels, maps, motion, native, page, plot, propagate, splines, tables, times
 from benchmarks.timing import allocator_is_fixed, fix_allocator
 from derive.output.files import put
 
+PARTS = (maps.PART, maps.SMALL, clouds.PART, kernels.ON_ROWS, kernels.JACOBIANS, kernels.DERIVATIVES)
 
-def measure() -> Iterator[times.Timed]:
-    """Yield all times: maps beside libraries, rows and derivatives, compiled functions beside a C loop."""
-    with maps.forms() as packages:
-        yield from maps.measure(packages)
+
+def measure(parts: Collection[str] = ()) -> Iterator[times.Timed]:
+    """Yield the times of some parts, or of all: beside libraries, on rows, of derivatives, beside a C loop.
+
+    Compiled functions are built and measured with all parts alone.
+    """
+    with nullcontext({maps.NUMPY: "dualcay"}) if parts else maps.forms() as packages:
+        by_part: dict[str, Callable[[], Iterator[times.Timed]]] = {
+            maps.PART: partial(maps.measure, packages), maps.SMALL: partial(maps.on_small_batches, packages),
+            clouds.PART: partial(clouds.measure, packages), kernels.ON_ROWS: kernels.on_rows,
+            kernels.JACOBIANS: kernels.of_jacobians, kernels.DERIVATIVES: kernels.of_derivatives,
+        }  # fmt: skip
         if maps.COMPILED in packages:
-            yield from native.measure(packages[maps.COMPILED])
-    yield from kernels.on_rows()
-    yield from kernels.of_derivatives()
+            by_part[native.PART] = partial(native.measure, packages[maps.COMPILED])
+        for part in parts or by_part:
+            yield from by_part[part]()
 
 
 def main() -> None:
@@ -27,6 +38,8 @@ def main() -> None:
     parser.add_argument("-o", "--output", type=Path, required=True, help="page; data and plot are written beside it")
     only = "print the page anew from its data, without measuring"
     parser.add_argument("--print", action="store_true", dest="printed", help=only)
+    some = "measure only these parts, without compiled functions, and keep the times of the others"
+    parser.add_argument("--parts", nargs="+", default=(), choices=PARTS, help=some)
     options = parser.parse_args()
     output, kept = options.output, {}
     file = output.with_suffix(".json")
@@ -36,9 +49,11 @@ def main() -> None:
     if not options.printed:
         if not allocator_is_fixed():
             raise RuntimeError("malloc's thresholds are not fixed in this process")
-        data = times.Data(times.commit(), times.versions(), list(measure())).with_missing(data)
+        found = times.Data(times.commit(), times.versions(), list(measure(options.parts)))
+        data = data.with_parts(found) if options.parts else found.with_missing(data)
         data.write(file)
-        kept |= {"motion": motion.section(), "propagate": propagate.section(), "splines": splines.section()}
+        if not options.parts:
+            kept |= {"motion": motion.section(), "propagate": propagate.section(), "splines": splines.section()}
     kept.pop("", None)
     plot.draw(data, output.with_suffix(".svg"))
     put(output, page.joined(page.head(data), kept | tables.sections(data)))

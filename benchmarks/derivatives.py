@@ -137,14 +137,26 @@ def differentiated(jax: Any, order: int, function: str) -> Callable[..., Any]:
 
 def jax_calls(jax: Any, order: int, function: str, arguments: Sequence[Any]) -> dict[str, Call]:
     """Return a call of the compiled derivative, mapped over poses; for one pose, also a call without compilation."""
-    jax.config.update("jax_enable_x64", True)
     one = differentiated(jax, order, function)
+    calls = {"jitted": jitted(jax, one, arguments)}
+    if arguments[0].ndim > 1:
+        return calls
     given = [jax.numpy.asarray(a) for a in arguments]
-    single = given[0].ndim == 1
-    fast = jax.jit(one if single else jax.vmap(one))
-    calls: dict[str, Call] = {"jitted": lambda: jax.block_until_ready(fast(*given))}
-    calls["jitted"]()  # the first call compiles
-    return calls | {"called": lambda: jax.block_until_ready(one(*given))} if single else calls
+    return calls | {"called": lambda: jax.block_until_ready(one(*given))}
+
+
+def jitted(jax: Any, one: Callable[..., Any], arguments: Sequence[Any]) -> Call:
+    """Return a call of a function of one pose, compiled by JAX and mapped over poses, that waits for its results."""
+    jax.config.update("jax_enable_x64", True)
+    given = [jax.numpy.asarray(a) for a in arguments]
+    fast = jax.jit(one if given[0].ndim == 1 else jax.vmap(one))
+    call = partial(_waited, jax, fast, given)
+    call()  # the first call compiles
+    return call
+
+
+def _waited(jax: Any, function: Callable[..., Any], given: Sequence[Any]) -> object:
+    return jax.block_until_ready(function(*given))
 
 
 @cache

@@ -51,14 +51,30 @@ def lambdify_call(order: int, function: str, rows: tuple[Any, ...]) -> Call | No
     return partial(compute, *given) if room <= ROOM else None
 
 
+def filled(compute: Call, out: Any) -> Call:
+    """Return a call that copies the components of a lambdified function into one result, as ours are."""
+    targets = _rows_of(out)
+
+    def fill() -> None:
+        for target, value in zip(targets, compute(), strict=True):
+            target[...] = value
+
+    return fill
+
+
+def _rows_of(out: Any) -> list[Any]:
+    return [row for array in _arrays(out) for row in array.reshape(-1, array.shape[-1])]
+
+
 def _parts(parts: tuple[sympy.Matrix, sympy.Matrix]) -> Iterator[sympy.Expr]:
     for part in parts:
         yield from part
 
 
 def _pose(cayley: Cayley, v: tuple[sympy.Symbol, ...]) -> Iterator[sympy.Expr]:
-    yield from cayley.tensor.matrix(v)[0]
-    yield from cayley.tangent.matrix(v)[0] * sympy.Matrix(v[3:])
+    rho = cayley.tangent.matrix(v)[0] * sympy.Matrix(v[3:])
+    yield from cayley.tensor.matrix(v)[0].row_join(rho)
+    yield from map(sympy.Integer, (0, 0, 0, 1))
 
 
 def compiled(order: int, function: str, rows: tuple[Any, ...], out: Any) -> Call | None:
@@ -83,7 +99,7 @@ def c_form(order: int) -> Any:
 
 def copy_floor(rows: tuple[Any, ...], out: Any) -> Call:
     """Return a copy that writes each row of the result once, from rows of the arguments: a lower bound of the time."""
-    targets = [row for array in _arrays(out) for row in array.reshape(-1, array.shape[-1])]
+    targets = _rows_of(out)
     sources = np.concatenate(rows)
     pairs = [(target, sources[i % len(sources)]) for i, target in enumerate(targets)]
 

@@ -8,7 +8,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
 from benchmarks import kernels, native, slower
-from benchmarks.maps import CAYLEY, COMPILED, FORMS, FUNCTIONS, NUMPY, PART
+from benchmarks.maps import CAYLEY, COMPILED, FORMS, FUNCTIONS, NUMPY, PART, SMALL, SMALL_SIZES
 from benchmarks.times import Data, label
 from benchmarks.timing import LARGE
 
@@ -24,12 +24,12 @@ OF_EXPONENTIAL = {"pose": (6, 3), "from_pose": (6, 3)}
 FORWARD = ("pose", "quaternion")
 """Functions with gates at every order; inverse maps have gates up to n = 2, since beyond they need an arc tangent."""
 
-SMALL_BATCH, OF_SMALL_BATCH = 100, (2, 1.2)
-"""Number of poses, and least ratios for `pose` of a Cayley map and of the exponential."""
+OF_SMALL_BATCH = (2, 1.3)
+"""Least ratios for `pose` of a Cayley map and of the exponential, for the small batches that `maps` measures."""
 
-SMALL = 1_000
+FEW = 1_000
 OF_COMPILED = {"SciPy": (20, 12), "pytransform3d": (10, 6)}
-"""Least ratios for compiled functions, for up to `SMALL` poses and for more."""
+"""Least ratios for compiled functions, for up to `FEW` poses and for more."""
 
 ALONE = 1_200.0
 """Largest time of a compiled call on one pose, in nanoseconds."""
@@ -94,10 +94,12 @@ def of_numpy(data: Data) -> Iterator[Gate]:
             (function, size): value for function, values in known.items() if inverse or function in FORWARD
             for size, value in zip(GATED, values, strict=True)
         }  # fmt: skip
-        small = {("pose", SMALL_BATCH): OF_SMALL_BATCH[exponential]} if exponential or chart in CAYLEY else {}
-        yield from _gates(data, PART, (NUMPY, chart), ("SciPy", ""), least | small)
-        further = small if exponential else {("pose", 10_000): 3} | small
+        yield from _gates(data, PART, (NUMPY, chart), ("SciPy", ""), least)
+        further = {} if exponential else {("pose", 10_000): 3}
         yield from _gates(data, PART, (NUMPY, chart), ("pytransform3d", ""), further)
+        small = {("pose", size): OF_SMALL_BATCH[exponential] for size in SMALL_SIZES}
+        for peer in ("SciPy", "pytransform3d") if exponential or chart in CAYLEY else ():
+            yield from _gates(data, SMALL, (NUMPY, chart), (peer, ""), small)
 
 
 def of_compiled(data: Data) -> Iterator[Gate]:
@@ -105,7 +107,7 @@ def of_compiled(data: Data) -> Iterator[Gate]:
         sizes = [*data.ns(PART, COMPILED, "pose", chart)]
         for peer, least in OF_COMPILED.items():
             compared = ("pose",) if peer == "pytransform3d" else ("pose", "quaternion", "from_pose", "compose")
-            wanted = {(function, size): least[size > SMALL] for size in sizes for function in compared}
+            wanted = {(function, size): least[size > FEW] for size in sizes for function in compared}
             yield from _gates(data, PART, (COMPILED, chart), (peer, ""), wanted)
         for function in FUNCTIONS:
             for ns in data.find(PART, COMPILED, function, chart):
@@ -116,8 +118,9 @@ def of_compiled(data: Data) -> Iterator[Gate]:
 
 def of_rows(data: Data) -> Iterator[Gate]:
     for timed in data.find(kernels.ON_ROWS, NUMPY):
-        ours, forms = (NUMPY, timed.chart), ((by, timed.chart) for by in (kernels.LAMBDIFY, kernels.C_FORM))
-        gated = {(timed.function, 10_000): 1.3, (timed.function, LARGE): 2.5}, {(timed.function, LARGE): 1 / 8}
+        forms = [(by, timed.chart) for by in (kernels.LAMBDIFY, kernels.FILLED, kernels.C_FORM)]
+        ours, filled = (NUMPY, timed.chart), {(timed.function, size): 1.0 for size in timed.ns}
+        gated = {(timed.function, 10_000): 1.3, (timed.function, LARGE): 2.5}, filled, {(timed.function, LARGE): 1 / 8}
         for form, least in zip(forms, gated, strict=True):
             yield from _gates(data, kernels.ON_ROWS, ours, form, least)
 

@@ -23,7 +23,10 @@ from benchmarks.times import CHARTS, ORDERS, Key, Timed, label, timed
 from benchmarks.timing import Call
 from derive.codegen import generate
 
-PART = "maps"
+PART, SMALL = "maps", "small batches"
+SMALL_SIZES = (20, 50, 100, 300)
+"""Numbers of poses between those of `SIZES`, where the calls of NumPy cost more than its arithmetic."""
+
 SIZES = tuple(10**k for k in range(7))
 FUNCTIONS = {
     "pose": ("v",), "quaternion": ("v",), "tangent": ("v",), "rate": ("v", "w"), "from_pose": ("T",),
@@ -42,6 +45,12 @@ def measure(packages: Mapping[str, str], sizes: Sequence[int] = SIZES) -> Iterat
     """Yield the times of all calls; packages of kernels by their form."""
     groups = ((function, size, calls(packages, function, size)) for size in sizes for function in FUNCTIONS)
     yield from timed(PART, groups)
+
+
+def on_small_batches(packages: Mapping[str, str]) -> Iterator[Timed]:
+    """Yield the times of ``pose`` in NumPy and in libraries for some small batches."""
+    numpy = {NUMPY: packages[NUMPY]}
+    yield from timed(SMALL, (("pose", size, calls(numpy, "pose", size)) for size in SMALL_SIZES))
 
 
 def calls(packages: Mapping[str, str], function: str, size: int) -> dict[Key, Call]:

@@ -17,8 +17,8 @@ from benchmarks.timing import ALLOCATOR, table
 from derive.output.files import put
 
 ORDER = (
-    "slower", "maps", "rows", "derivatives", "given", "motion", "propagate", "splines", "compiling", "jitted",
-    "recorded", "gates",
+    "slower", "maps", "clouds", "rows", "jacobians", "derivatives", "given", "motion", "propagate", "splines",
+    "compiling", "jitted", "recorded", "gates",
 )  # fmt: skip
 """Names of the sections, in the order of the page."""
 
@@ -52,6 +52,7 @@ def head(data: Data) -> str:
         "calls of a function take turns in one process, on one core and equal arguments; a call of a library is "
         "measured once for each N. The times are medians of processor time, with the allocator fixed: "
         f"`{settings}`.",
+        *(f"Part `{part}` was measured later, at commit {at}." for part, at in data.later.items()),
         *(f"{name} was missing: its times are those of {origin}." for name, origin in data.kept.items()),
     ]
     return "\n".join([

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from benchmarks import kernels
-from benchmarks.maps import FORMS, NUMPY, PART
+from benchmarks.maps import FORMS, NUMPY, PART, SMALL
 from benchmarks.peers import LIBRARIES, looped
 from benchmarks.times import Data, Timed
 from benchmarks.timing import LARGE
@@ -48,7 +48,7 @@ def why(ours: Timed, peer: Timed, size: int) -> str:
     """Return the kind of reason for which the other may be faster, or a gate be missed."""
     if peer.part == kernels.ON_ROWS:
         return MEMORY if size >= LARGE and ours.ns[size] < peer.ns[size] else WRITTEN
-    if peer.part != PART:
+    if peer.part not in (PART, SMALL):
         return COMPILED_BY_JAX if peer.part == kernels.DERIVATIVES else MEMORY
     if peer.call in LIBRARIES[peer.by].texts[peer.function][1:]:
         return KEPT
@@ -67,7 +67,7 @@ def _pairs(data: Data) -> Iterator[tuple[Timed, Timed]]:
     """Yield each of our calls with each call of another for the same function."""
     for ours in data.times:
         others = data.find(ours.part, "", ours.function)
-        if ours.part == PART and ours.by in FORMS:
+        if ours.part in (PART, SMALL) and ours.by in FORMS:
             yield from ((ours, peer) for peer in others if peer.by in LIBRARIES)
         elif ours.part in (kernels.ON_ROWS, kernels.DERIVATIVES) and ours.by == NUMPY:
             rivals = (kernels.LAMBDIFY, kernels.JITTED)

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 
-from benchmarks import gates, kernels, native, slower
-from benchmarks.maps import FUNCTIONS, NUMPY, PART, SIZES, name
+from benchmarks import clouds, gates, kernels, native, slower
+from benchmarks.maps import FUNCTIONS, NUMPY, PART, SIZES, SMALL, SMALL_SIZES, name
 from benchmarks.peers import LETTERS, LIBRARIES
-from benchmarks.times import Data, shown
+from benchmarks.times import Data, Timed, shown
 from benchmarks.timing import markdown, table
 
 TITLES = {
@@ -21,11 +21,13 @@ def sections(data: Data) -> dict[str, str]:
     """Return all sections of data by name."""
     return {
         "slower": _slower(data), "maps": _maps(data), "gates": _gates(data),
+        "clouds": clouds.section(data), "jacobians": kernels.section_of_jacobians(data),
         "rows": _compared(data, kernels.ON_ROWS, "Rows, a given result", NUMPY,
-            (kernels.LAMBDIFY, kernels.C_FORM, kernels.COPY),
-            "SymPy's functions return separate arrays of components, none for zeros and one for equal components. The "
-            "copy floor is the time of a copy that fills the result, a lower bound. A dash: SymPy needs minutes, or "
-            "more than 4 GB."),
+            (kernels.LAMBDIFY, kernels.FILLED, kernels.C_FORM, kernels.COPY),
+            "SymPy's functions are measured in two forms. As lambdify returns them, components are separate arrays: a "
+            "zero is a number, and equal components are one array. Filled, they are copied into one array of results, "
+            "as ours are. The copy floor is the time of a copy that fills the result, a lower bound. A dash: SymPy "
+            "needs minutes, or more than 4 GB."),
         "derivatives": _compared(data, kernels.DERIVATIVES, "Derivatives, components last", NUMPY,
             (kernels.JITTED, kernels.CALLED, kernels.STEPS),
             "JAX in forward mode and complex steps differentiate the same maps. `called` is JAX without compilation, "
@@ -55,14 +57,22 @@ def _maps(data: Data) -> str:
     ]
     for function in FUNCTIONS:
         found = data.find(PART, "", function)
-        body = [[name(of), *(shown(of.ns[n]) if n in of.ns else "–" for n in SIZES), f"`{of.call}`"] for of in found]
+        body = _body(found, SIZES)
         absent = [library for library, of in LIBRARIES.items() if function in of.texts and not data.find(PART, library)]
         body += [[library, *("not installed" for _ in SIZES), f"`{LIBRARIES[library].texts[function][0]}`"]
                  for library in absent]  # fmt: skip
         heads = (f"`{function}`, ns per pose", *(f"N = {n:,}" for n in SIZES), "call")
         title = f"{TITLES[function]}, {function}: {len(body)} calls"
         texts.append(f"<details><summary>{title}</summary>\n\n{table(heads, body)}\n\n</details>\n")
+    heads = ("`pose`, ns per pose", *(f"N = {n:,}" for n in SMALL_SIZES), "call")
+    small = table(heads, _body(data.find(SMALL), SMALL_SIZES))
+    texts.append(f"<details><summary>Small batches, pose</summary>\n\n{small}\n\n</details>\n")
     return "\n".join(texts)
+
+
+def _body(found: Sequence[Timed], sizes: Sequence[int]) -> list[list[str]]:
+    """Return the cells of a table with a line for each call."""
+    return [[name(of), *(shown(of.ns[n]) if n in of.ns else "–" for n in sizes), f"`{of.call}`"] for of in found]
 
 
 def _compared(data: Data, part: str, title: str, ours: str, others: Sequence[str], note: str) -> str:

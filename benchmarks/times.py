@@ -7,7 +7,7 @@ import subprocess
 import sys
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
-from dataclasses import asdict, dataclass, field
+from dataclasses import asdict, dataclass, field, replace
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 
@@ -49,12 +49,16 @@ class Timed:
 
 @dataclass(frozen=True)
 class Data:
-    """Everything that one run measured, the versions of what took part, and who was taken from an earlier run."""
+    """Everything that one run measured, the versions of what took part, and who was taken from an earlier run.
+
+    ``later`` names the parts that a later run measured again, with its commit.
+    """
 
     commit: str
     versions: Mapping[str, str]
     times: Sequence[Timed]
     kept: Mapping[str, str] = field(default_factory=dict)
+    later: Mapping[str, str] = field(default_factory=dict)
 
     def find(self, part: str, by: str = "", function: str = "", chart: str | None = None) -> list[Timed]:
         """Return the times of a part, of all that is not named."""
@@ -79,6 +83,12 @@ class Data:
         names = sorted({timed.by for timed in lost})
         kept = {name: former.kept.get(name) or former.origin(name) for name in names}
         return Data(self.commit, self.versions, [*self.times, *lost], kept)
+
+    def with_parts(self, found: Data) -> Data:
+        """Return these data with the parts that a later run measured in place of their own."""
+        parts = dict.fromkeys((timed.part for timed in found.times), found.commit)
+        times = [*(timed for timed in self.times if timed.part not in parts), *found.times]
+        return replace(self, versions={**self.versions, **found.versions}, times=times, later={**self.later, **parts})
 
     def origin(self, name: str) -> str:
         """Return the version, if known, and the commit at which someone was measured."""

@@ -5,21 +5,23 @@
 
 The batch is cut into blocks whose values fit into the cache. Components with gaps in memory, as in (N, 6), are copied
 to scratch rows before a block and back after it. Rows of unit stride, as in (6, N), are read and written in place.
+Operations on an argument of fewer poses, as one vector for many points, run once for each of these poses.
 """
 
 from __future__ import annotations
 
+import itertools
 import math
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, lru_cache
 from typing import Any, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ._prepared import PREPARED_MAX, run_prepared
-from ._program import Program
+from ._program import Program, program_of
 
 Array: TypeAlias = NDArray[Any]
 Components: TypeAlias = Sequence[Any]
@@ -29,6 +31,9 @@ Shape: TypeAlias = tuple[int, ...]
 
 BLOCK = 16384
 """Largest number of elements of a block."""
+
+SCATTERED_APART = 6
+"""Most components of a result that are copied back one by one; NumPy's loop over them all is slower for so few."""
 
 CACHE_LINE = 64
 """Size in bytes of a cache line and of the widest vector register; scratch rows are aligned to it."""
@@ -84,6 +89,7 @@ def run(kernel: Kernel, program: Program, arguments: Rows, table: Rows, result: 
             arguments = [_extended(array, part, batch) for array, (_, part) in zip(arguments, kernel.arguments)]
         run_prepared(program, kernel.arguments, kernel.shape, arguments, table, result, batch, axis)
         return
+    kernel, program, arguments = _hoisted(kernel, program, arguments, table, batch, axis)
     rows = [_rows(array, part, axis, batch) for array, (_, part) in zip(arguments, kernel.arguments, strict=True)]
     loop = _Loop(kernel, program, rows, table, _rows(result, kernel.shape, axis, batch))
     memory = SCRATCH.take(loop.bytes(min(BLOCK, math.prod(batch))))
@@ -92,6 +98,43 @@ def run(kernel: Kernel, program: Program, arguments: Rows, table: Rows, result: 
             loop.run(index, memory)
     finally:
         SCRATCH.give_back(memory)
+
+
+def _hoisted(
+    kernel: Kernel, program: Program, arguments: Rows, table: Rows, batch: Shape, axis: int
+) -> tuple[Kernel, Program, Rows]:
+    """Run what depends on arguments of fewer poses alone; return the rest, which takes these results as an argument."""
+    owns = [_own(_batch_of(array, part, axis)) for array, (_, part) in zip(arguments, kernel.arguments)]
+    for own in dict.fromkeys(own for own in owns if math.prod(own) < math.prod(batch)):
+        few = tuple(place for place, of in enumerate(owns) if of == own)
+        halves = _halves(program, tuple(part for _, part in kernel.arguments), few, len(table))
+        if halves:
+            first, program = halves
+            shape = (len(first.listing.outputs),)
+            taken = tuple(kernel.arguments[place] for place in few)
+            laid = [part + own if axis == 0 else own + part for _, part in taken]
+            given = [arguments[place].reshape(shaped) for place, shaped in zip(few, laid)]
+            found = np.empty(shape + own if axis == 0 else own + shape, program.dtype)
+            run(Kernel(kernel.plain, taken, shape, kernel.real), first, given, table, found, axis)
+            kernel = Kernel(kernel.plain, (*kernel.arguments, ("", shape)), kernel.shape, kernel.real)
+            arguments = [*arguments, found]
+    return kernel, program, arguments
+
+
+def _own(batch: Shape) -> Shape:
+    """Return a batch shape without leading axes of length 1, but with one axis at least."""
+    first = next((axis for axis, length in enumerate(batch) if length != 1), len(batch))
+    return batch[first:] or (1,)
+
+
+@lru_cache(256)
+def _halves(
+    program: Program, parts: tuple[Shape, ...], few: tuple[int, ...], table: int
+) -> tuple[Program, Program] | None:
+    """Return the programs of what depends on a few arguments alone, and of the rest; None if nothing does."""
+    ends = list(itertools.accumulate(map(math.prod, parts), initial=0))
+    halves = program.listing.split({i for place in few for i in range(ends[place], ends[place + 1])}, table)
+    return (program_of(halves[0]), program_of(halves[1])) if halves else None
 
 
 def staged(batch: Shape) -> bool:
@@ -136,12 +179,14 @@ class _Loop:
                 rows += [block[i] for i in components(part)]
         rows += self.fixed
         own, spare = _cut(spare, self.scattered * math.prod(self.shape))
-        rows += own if self.scattered else [target[i] for i in components(self.shape)]
+        rows += [*own] if self.scattered else [target[i] for i in components(self.shape)]
         scratch, masks = _cut(spare, self.program.scratch)
         rows += [*scratch, *self.program.mask_rows(masks)]
         self.program.run(rows)
         if self.scattered:
-            np.copyto(target, own.reshape(target.shape), casting="same_kind")
+            made = own.reshape(target.shape)
+            for place in components(self.shape) if len(own) <= SCATTERED_APART else (...,):
+                np.copyto(target[place], made[place], casting="same_kind")
 
     def _split(self, memory: Array, shape: Shape) -> Array:
         """Split memory into scratch rows of the given block shape."""

@@ -9,9 +9,9 @@ For small batches most of the time of a recorded program goes into views of rows
 from __future__ import annotations
 
 from collections import OrderedDict, deque
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
-from functools import partial
+from functools import lru_cache, partial
 from itertools import groupby
 from math import prod
 from typing import Any, TypeAlias
@@ -19,13 +19,19 @@ from typing import Any, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from ._program import COMPARISONS, Function, Program, bits, call, truth_bytes
+from ._listing import Function
+from ._packed import Packing
+from ._program import COMPARISONS, Program, bits, call, truth_bytes
 
 Array: TypeAlias = NDArray[Any]
+Call: TypeAlias = Callable[[], Any]
 Shape: TypeAlias = tuple[int, ...]
 
 PREPARED_MAX = 1024
 """Largest batch for a prepared program; in larger batches, copies of rows cost more than views."""
+
+PACKED_MAX = 256
+"""Largest batch whose operations are packed; in larger batches, copies of rows cost more than calls."""
 
 KEPT_MAX = 32
 """Largest number of prepared programs kept between calls."""
@@ -40,24 +46,14 @@ class Prepared:
     def __init__(
         self, program: Program, parts: Sequence[Shape], table: int, shape: Shape, batch: Shape, axis: int
     ) -> None:
-        cells = prod(batch)
-        sizes = [*map(prod, (*parts, shape)), program.scratch, program.masks]
-        memory = np.split(np.empty((sum(sizes), cells), program.dtype), np.cumsum(sizes)[:-1])
-        *given, result, scratch, masks = memory
-        numbers = [np.empty((), program.dtype) for _ in range(table)]
-        blocks = zip(given, parts, strict=True)
-        self.given = [*(_laid_out(block, part, batch, axis) for block, part in blocks), *numbers]
-        self.result = _laid_out(result, shape, batch, axis)
-        rows = [row for block in given for row in block]
-        made = [*result]
-        rows += [*numbers, *program.constants, *made, *scratch, *program.mask_rows(masks)]
-        raw = np.zeros(cells, bits(program.dtype) or np.int64)
-        calls = [one for function, operands in program.calls(rows) for one in _calls(function, operands, raw)]
-        constant = {id(number) for number in program.constants}
-        kept = [one for one in calls if one.func is np.copyto and id(one.args[1]) in constant]
-        for one in kept:  # constant results stay in their rows
-            one()
-        self.calls = [*_in_blocks([one for one in calls if one not in kept], made, result)]
+        sizes, cells = [*map(prod, parts)], prod(batch)
+        if cells <= PACKED_MAX:
+            rows, made, self.calls = _packing(program.listing).calls(cells)
+        else:
+            rows, made, self.calls = _row_by_row(program, sum(sizes) + table, prod(shape), cells)
+        *blocks, numbers = np.split(rows, np.cumsum(sizes))
+        self.given = [*(_laid_out(block, part, batch, axis) for block, part in zip(blocks, parts)), *numbers]
+        self.result = _laid_out(made, shape, batch, axis)
 
     def run(self, given: Sequence[Array], result: Array) -> None:
         """Run on arguments that broadcast to the batch, then the table; they may share memory with the result."""
@@ -65,6 +61,24 @@ class Prepared:
             np.copyto(staged, array)
         deque(map(call, self.calls), maxlen=0)
         np.copyto(result, self.result, casting="same_kind")
+
+
+_packing = lru_cache(256)(Packing)
+
+
+def _row_by_row(program: Program, inputs: int, outputs: int, cells: int) -> tuple[Array, Array, list[Call]]:
+    """Return rows for the inputs and for the results, and the calls that compute these, one for each operation."""
+    sizes = np.cumsum([inputs, outputs, program.scratch, program.masks])
+    given, block, scratch, masks = np.split(np.empty((sizes[-1], cells), program.dtype), sizes[:-1])
+    made = [*block]
+    rows = [*given, *program.constants, *made, *scratch, *program.mask_rows(masks)]
+    raw = np.zeros(cells, bits(program.dtype) or np.int64)
+    calls = [one for function, operands in program.calls(rows) for one in _calls(function, operands, raw)]
+    constant = {id(number) for number in program.constants}
+    kept = [one for one in calls if one.func is np.copyto and id(one.args[1]) in constant]
+    for one in kept:  # constant results stay in their rows
+        one()
+    return given, block, [*_in_blocks([one for one in calls if one not in kept], made, block)]
 
 
 def _in_blocks(calls: Sequence[partial[Any]], rows: Sequence[Array], block: Array) -> Iterator[partial[Any]]:

@@ -12,7 +12,7 @@ from __future__ import annotations
 import operator
 import sys
 from collections import deque
-from collections.abc import Callable, Iterable, Iterator, Sequence, Set
+from collections.abc import Iterable, Iterator, Sequence, Set
 from dataclasses import dataclass
 from functools import cache
 from itertools import groupby
@@ -22,9 +22,9 @@ from typing import Any, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
+from ._listing import Function, Listing, Operation
+
 Array: TypeAlias = NDArray[Any]
-Function: TypeAlias = Callable[..., Any]
-Operation: TypeAlias = tuple[Function, tuple[int, ...]]
 Run: TypeAlias = tuple[tuple[Function, ...], tuple["itemgetter[Any]", ...]]
 
 
@@ -71,18 +71,14 @@ def truth_bytes(row: Array) -> Array:
     return row.view(np.bool_).reshape(*row.shape, row.itemsize)[..., place]
 
 
-def where(mask: Array, a: Array, b: Array, out: Array) -> None:
-    """Write a to ``out`` where a boolean mask is true, else b."""
-    np.copyto(out, np.where(mask, a, b))
-
-
 @dataclass(frozen=True, slots=True, eq=False)
 class Program:
     """Recorded program: calls of ``function(*operands, out)`` on rows, in order.
 
     Rows are numbered in the order: components of arguments, constants, outputs, ``scratch`` rows, rows of ``masks``,
     integer views of the rows in ``views``. A run holds the functions of calls with equally many operands. It has one
-    column of rows for each operand and for ``out``. A single call keeps all its rows in one column.
+    column of rows for each operand and for ``out``. A single call keeps all its rows in one column. ``listing`` holds
+    the operations as they were recorded.
     """
 
     dtype: np.dtype[Any]
@@ -91,6 +87,7 @@ class Program:
     scratch: int
     masks: int
     views: tuple[int, ...]
+    listing: Listing
 
     def run(self, rows: list[Array]) -> None:
         """Run every call on rows, given up to the masks; outputs must share no memory with arguments."""
@@ -118,6 +115,16 @@ class Program:
         """Return mask rows of the shape of the given scratch rows; a view of these rows if masks are bits."""
         integer = bits(self.dtype)
         return np.empty(rows.shape, bool) if integer is None else rows.view(integer)
+
+
+def program_of(listing: Listing) -> Program:
+    """Return the program with the fewer scratch rows, of the order depth first and that of recording."""
+    of = listing if bits(listing.dtype) is None else listing.on_bits()
+    fixed, first = [*of.inputs, *of.constants], ordered(of.operations, of.outputs)
+    both = [Rows(of.operations, of.truths, fixed, of.outputs, order) for order in (first, sorted(first))]
+    rows, runs = min(((rows, tuple(rows.runs())) for rows in both), key=lambda made: made[0].scratch.size)
+    numbers = tuple(np.array(value, of.dtype) for value in of.constants.values())
+    return Program(of.dtype, runs, numbers, rows.scratch.size, rows.masks.size, tuple(rows.views), listing)
 
 
 def ordered(operations: Sequence[Operation | None], outputs: Iterable[int]) -> list[int]:

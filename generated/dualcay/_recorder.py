@@ -15,7 +15,8 @@ from typing import Any
 
 import numpy as np
 
-from ._program import BITWISE, Function, Operation, Program, Rows, bits, equal, less, ordered, where
+from ._listing import Function, Listing, Operation, where
+from ._program import BITWISE, Program, bits, equal, less, program_of
 
 COMMUTATIVE = (np.add, np.multiply, *BITWISE)
 """Operations whose operands are sorted, so that a + b and b + a are one entry."""
@@ -143,17 +144,11 @@ class Tape:
         return self.enter(on_bits if self.integer else on_booleans, a, b, mask=True)
 
     def where(self, mask: Any, a: Any, b: Any) -> Any:
-        """Return the entry that selects a if the mask is true, else b: ``b ^ ((a ^ b) & mask)`` if masks are bits."""
+        """Return the entry that selects a if the mask is true, else b."""
         if isinstance(mask, bool):
             return a if mask else b
         truth = self.masks.issuperset((self.index(a), self.index(b)))
-        if self.integer is None:
-            return self.enter(where, mask, a, b, mask=truth)
-        if isinstance(a, Number) or isinstance(b, Number):
-            differing = self.enter(np.bitwise_xor, a, b, mask=True)
-        else:
-            differing = self._constant_xor(a, b, self.integer)
-        return self.enter(np.bitwise_xor, self.enter(np.bitwise_and, differing, mask, mask=True), b, mask=truth)
+        return self.enter(where, mask, a, b, mask=truth)
 
     beside = staticmethod(add)
 
@@ -167,11 +162,6 @@ class Tape:
     def index(self, operand: Any) -> int:
         """Return the entry number of a recorded number or a constant."""
         return operand.index if isinstance(operand, Number) else self._constant(repr(operand), operand).index
-
-    def _constant_xor(self, a: Any, b: Any, integer: np.dtype[Any]) -> Number:
-        """Return the constant whose bits are those that differ between two constants."""
-        differing = np.array(a, self.dtype).view(integer) ^ np.array(b, self.dtype).view(integer)
-        return self._constant(hex(int(differing)), differing.view(self.dtype))
 
     def _constant(self, key: str, value: Any) -> Number:
         if key not in self.constants:
@@ -199,10 +189,6 @@ def record(text: Function, sizes: Sequence[int], dtype: np.dtype[Any]) -> Progra
     tape = Tape(dtype)
     arguments = [[tape.argument() for _ in range(size)] for size in sizes]
     outputs = [tape.index(output) for output in text(tape, *arguments)]
-    constants = tape.constants.values()
-    fixed = [number.index for argument in arguments for number in argument] + [number.index for number, _ in constants]
-    first = ordered(tape.operations, outputs)
-    both = [Rows(tape.operations, tape.masks, fixed, outputs, order) for order in (first, sorted(first))]
-    rows, runs = min(((rows, tuple(rows.runs())) for rows in both), key=lambda made: made[0].scratch.size)
-    numbers = tuple(np.array(value, dtype) for _, value in constants)
-    return Program(dtype, runs, numbers, rows.scratch.size, rows.masks.size, tuple(rows.views))
+    inputs = [number.index for argument in arguments for number in argument]
+    constants = {number.index: value for number, value in tape.constants.values()}
+    return program_of(Listing(dtype, tape.operations, tape.masks, inputs, constants, outputs))

@@ -12,7 +12,7 @@ import pytest
 
 from benchmarks import __main__ as command
 from benchmarks import gates, kernels, native, page, slower, tables, times, timing
-from benchmarks.maps import COMPILED, NUMPY, PART
+from benchmarks.maps import COMPILED, NUMPY, PART, SMALL
 from benchmarks.peers import LIBRARIES
 from benchmarks.times import Data, Timed
 
@@ -69,6 +69,14 @@ def test_times_of_missing_libraries_are_kept_with_their_commit() -> None:
     assert "not installed" in tables.sections(data(of(NUMPY, "cayley2", 1.0)))["maps"]
 
 
+def test_parts_that_are_measured_later_name_their_commit() -> None:
+    former = data(of(NUMPY, "cayley2", 2.0), of(NUMPY, "cayley2", 5.0, part="rows"))
+    found = former.with_parts(data(of(NUMPY, "cayley2", 1.0, part="rows"), commit="2"))
+    assert [timed.ns[1] for timed in found.times] == [2.0, 1.0]
+    assert "commit 1," in page.head(found)
+    assert "Part `rows` was measured later, at commit 2." in page.head(found)
+
+
 # --- gates and faster libraries ---------------------------------------------------------------------------------------
 
 
@@ -80,8 +88,7 @@ def test_missed_gates_are_named_first() -> None:
     found = decided(of("SciPy", "", 7.0), of(NUMPY, "exponential", 1.0), of(NUMPY, "cayley2", 1.0))
     assert found == {
         "pose, n = 2, N = 1: SciPy": False, "pose, exponential, N = 1: SciPy": True,
-        "pose, exponential, N = 10000: SciPy": True, "pose, exponential, N = 100: SciPy": True,
-        "pose, n = 2, N = 10000: SciPy": True, "pose, n = 2, N = 100: SciPy": True,
+        "pose, exponential, N = 10000: SciPy": True, "pose, n = 2, N = 10000: SciPy": True,
     }  # fmt: skip
     assert [*found.values()] == sorted(found.values())
 
@@ -95,6 +102,9 @@ def test_parts_have_gates() -> None:
         found = decided(*(of(name, "cayley2", 1.0, part=part) for name in names))
         assert found
         assert all(met == (part == native.PART) for met in found.values())
+    assert decided(*(of(by, chart, 1.0, part=SMALL) for by, chart in ((NUMPY, "cayley2"), ("SciPy", "")))) == {
+        "pose, small batches, n = 2, N = 100: SciPy": False
+    }
     alone = decided(of(COMPILED, "cayley2", 1000.0), of("SciPy", "", 21e3))
     assert alone["pose, compiled, n = 2, N = 1: 1.2 µs"]
     assert alone["pose, compiled, n = 2, N = 10000: SciPy"]
@@ -125,7 +135,7 @@ def test_command_writes_page_data_and_plot_and_keeps_other_sections(
     output = tmp_path / "speed.md"
     output.write_text(page.joined("# Speed", {"recorded": "## Former\n\n| a |\n|---|\n| 1 |\n"}), encoding="utf-8")
     monkeypatch.setattr(sys, "argv", ["benchmarks", "-o", str(output)])
-    monkeypatch.setattr(command, "measure", lambda: [of(NUMPY, "cayley2", 1.0), of("SciPy", "", 2.0)])
+    monkeypatch.setattr(command, "measure", lambda _: [of(NUMPY, "cayley2", 1.0), of("SciPy", "", 2.0)])
     monkeypatch.setattr(command.motion, "section", lambda: "## Motion")
     monkeypatch.setattr(command.propagate, "section", lambda: "## Propagation")
     monkeypatch.setattr(command.splines, "section", lambda: "## Splines")

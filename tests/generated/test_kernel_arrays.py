@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 import dualcay
-from dualcay import _kernel, _runtime
+from dualcay import _kernel, _runtime, cayley2, exponential
 from tests.support import sampling, thorough
 from tests.support.kernels import ALIKE, orders
 from tests.support.layouts import BATCHES as BATCHES_OF_ONE
@@ -91,6 +91,8 @@ def test_blocks_cover_a_batch_once() -> None:
         assert (seen == 1).all(), (batch, size)
 
 
+CHARTS_OF_POINTS = (cayley2, exponential)
+
 BROADCAST = [
     ((5, 1), (4,), (5, 4)), ((), (3,), (3,)), ((3,), (), (3,)), ((2, 1, 3), (1, 4, 1), (2, 4, 3)), ((1,), (0,), (0,)),
 ]  # fmt: skip
@@ -110,6 +112,30 @@ def test_leading_axes_broadcast_or_are_refused(kernel: ModuleType, order: int, n
     for given, axis in (((a, b), -1), ((a.T, b.T), 0)):
         with pytest.raises(ValueError, match=r"\(3,\).*\(4,\)"):
             getattr(kernel, name)(*given, axis=axis)
+
+
+@FUNCTION_OF_TWO
+def test_what_depends_on_an_argument_of_fewer_poses_has_the_same_bits(
+    kernel: ModuleType, order: int, name: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    kinds = SIGNATURES[name].arguments
+    for most in ({_kernel: "PREPARED_MAX", _runtime: "POINTWISE_MAX"}).items():
+        monkeypatch.setattr(*most, -1)
+    for first, second, shape in BROADCAST:
+        few = [inputs(kernel, name, order, of)[place] for place, of in enumerate((first, second))]
+        full = [np.array(np.broadcast_to(x, shape + SHAPES[kind])) for x, kind in zip(few, kinds, strict=True)]
+        for call in (getattr(kernel, name), lambda *given: by_rows(kernel, name, given)):
+            np.testing.assert_array_equal(call(*few), call(*full))
+
+
+def test_one_vector_moves_points_without_scalars_of_its_chart() -> None:
+    """Count the calls that are left for the points: 33 in each chart."""
+    for chart in CHARTS_OF_POINTS:
+        program = chart.KERNELS._chart.recorded("transform_point", np.dtype(float), 0)
+        halves = _kernel._halves(program, ((6,), (3,)), (0,), 0)
+        assert halves is not None
+        assert sum(len(functions) for functions, _ in halves[1].runs) == 33
+        assert _kernel._halves(program, ((6,), (3,)), (1,), 0) is None
 
 
 @FUNCTION

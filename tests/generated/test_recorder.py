@@ -17,7 +17,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from dualcay import _kernel, _prepared, _program, _recorder, cayley1, cayley2, cayley3
+from dualcay import _kernel, _packed, _prepared, _program, _recorder, cayley1, cayley2, cayley3
 from dualcay._numbers import Floats, Objects, Scalars
 from dualcay._program import Program
 from dualcay._recorder import Number, record
@@ -178,7 +178,7 @@ def test_row_is_not_reused_while_it_is_read(monkeypatch: pytest.MonkeyPatch) -> 
     assert not all(_agrees(seed) for seed in range(60))
 
 
-def _agrees(seed: int) -> bool:
+def _agrees(seed: int, by_packing: bool = False) -> bool:
     choices = np.random.default_rng(seed).integers(0, 1 << 30, (60, 3))
 
     def text(m: Any, *values: Any) -> tuple[Any, ...]:
@@ -189,10 +189,27 @@ def _agrees(seed: int) -> bool:
         return tuple(made[-9:])
 
     arguments = np.random.default_rng(seed).normal(size=(4, 3))
+    program = record(lambda m, values: text(m, *values), [4], np.dtype(float))
     with np.errstate(all="ignore"):
         expected = np.array(np.broadcast_arrays(*text(np, *arguments)))
-        found = np.array(recorded(text, np.float64, *arguments, outputs=9))
+        found = packed(program, arguments) if by_packing else run(program, *arguments, outputs=9)
     return bool(np.array_equal(found, expected, equal_nan=True))
+
+
+def packed(program: Program, arguments: NDArray[Any]) -> NDArray[Any]:
+    """Run the packed calls of a program; return its outputs."""
+    given, result, calls = _packed.Packing(program.listing).calls(arguments.shape[1])
+    given[...] = arguments
+    for one in calls:
+        one()
+    return result
+
+
+def test_packed_row_is_not_reused_while_it_is_read(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Compare random programs with NumPy; rows written over while a later step reads them would give other results."""
+    assert all(_agrees(seed, by_packing=True) for seed in range(60))
+    monkeypatch.setattr(_packed.Packing, "_is_free", lambda *_: True)
+    assert not all(_agrees(seed, by_packing=True) for seed in range(60))
 
 
 @pytest.mark.parametrize(("chart", "least"), [(cayley1, 1.4), (cayley2, 1.4), (cayley3, 1)])

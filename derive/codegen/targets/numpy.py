@@ -24,11 +24,11 @@ class Numpy(PythonTarget):
     name = "numpy"
     options = "axis: Axis = -1, out: Array | None = None"
     files = (
-        *PythonTarget.files, "_arguments.py", "_covariances.py", "_curve.py", "_factors.py", "_kernel.py", "_means.py",
-        "_motion.py", "_multiple.py", "_native.py", "_numbers.py", "_other_vectors.py", "_pose_files.py",
-        "_pose_graph.py", "_prepared.py", "_program.py", "_propagate.py", "_recorder.py", "_ros.py", "_sequences.py",
-        "_solving.py", "_spline.py", "_stepping.py", "_switching.py", "_trajectory.py", "_twist.py", "extended.py",
-        "interop.py", "plot.py",
+        *PythonTarget.files, "_arguments.py", "_covariances.py", "_curve.py", "_factors.py", "_kernel.py",
+        "_listing.py", "_means.py", "_motion.py", "_multiple.py", "_native.py", "_numbers.py", "_other_vectors.py",
+        "_packed.py", "_pose_files.py", "_pose_graph.py", "_prepared.py", "_program.py", "_propagate.py",
+        "_recorder.py", "_ros.py", "_sequences.py", "_solving.py", "_spline.py", "_stepping.py", "_switching.py",
+        "_trajectory.py", "_twist.py", "extended.py", "interop.py", "plot.py",
     )  # fmt: skip
     tools = ("dask", "extended", "interop", "plot")
     imports_bases = True
