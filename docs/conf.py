@@ -39,7 +39,7 @@ extensions = [
     "_ext.sheet",
     "_ext.try_it",
 ]
-exclude_patterns = ["_build", "_templates", "**/README.md", "examples/*.ipynb"]  # myst-nb would run these notebooks
+exclude_patterns = ["_build", "_templates", "**/README.md", "examples/*.ipynb", "parameterizations.md"]  # myst-nb would run these notebooks
 nitpicky = False
 suppress_warnings = ["config.cache"]
 
@@ -83,6 +83,7 @@ html_favicon = "_static/favicon.svg"
 html_static_path = ["_static", str(ROOT / "build" / "docs" / "assets")]
 html_css_files = ["site.css"]
 html_js_files = ["site.js"]
+html_search_scorer = "_static/scorer.js"
 html_theme_options = {
     "navbar_end": ["theme-switcher", "navbar-icon-links"],
     "header_links_before_dropdown": 6,
