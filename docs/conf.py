@@ -39,7 +39,8 @@ extensions = [
     "_ext.sheet",
     "_ext.try_it",
 ]
-exclude_patterns = ["_build", "_templates", "**/README.md", "examples/*.ipynb", "parameterizations.md"]  # myst-nb would run these notebooks
+# myst-nb would run the notebooks; the figures of all charts are part of a guide
+exclude_patterns = ["_build", "_templates", "**/README.md", "examples/*.ipynb", "parameterizations.md"]
 nitpicky = False
 suppress_warnings = ["config.cache"]
 
@@ -86,7 +87,7 @@ html_js_files = ["site.js"]
 html_search_scorer = "_static/scorer.js"
 html_theme_options = {
     "navbar_end": ["theme-switcher", "navbar-icon-links"],
-    "header_links_before_dropdown": 6,
+    "header_links_before_dropdown": 8,
     "show_prev_next": True,
     "secondary_sidebar_items": ["page-toc", "edit-this-page"],
     "footer_start": ["about"],

@@ -155,8 +155,9 @@ def compare(orders: Iterable[int] = (), families: Iterable[str] = (), phi: str |
     Returns
     -------
     list of Compared
-        Rows of a table, as notebooks show it; by default n = 1 … 4 and the committed families but multiples. Each has its ``chart``,
-        ``edge`` (rad), ``range`` (length of v there), ``stretches`` by angle, and ``operations`` by function.
+        Rows of a table, as notebooks show it; by default n = 1 … 4 and the committed families but multiples. Each has
+        its ``chart``, ``edge`` (rad), ``range`` (length of v there), ``stretches`` by angle, and ``operations`` by
+        function.
 
     Raises
     ------

@@ -21,8 +21,8 @@ import sympy
 
 import derive
 import dualcay
+from benchmarks import commands, style
 from benchmarks import page as speed
-from benchmarks import style
 from benchmarks.accuracy import report as accuracy
 from derive.cli.commands import cli
 from derive.codegen.signatures import POSES
@@ -155,11 +155,19 @@ def test_dead_links_of_a_site_are_found(tmp_path: Path) -> None:
     assert links.dead_links(tmp_path) == ["index.html: picture.png", "page.html: #there"]
 
 
+def test_times_on_pages_have_commands_that_measure_them() -> None:
+    named = {name for page in commands.PAGES for _, name, _ in commands.PLACE.findall(page.read_text(encoding="utf-8"))}
+    assert named == commands.COMMANDS.keys()
+    for line in commands.COMMANDS.values():
+        pages.check_command(f"dualcay {line}")
+
+
 def test_pages_that_moved_lead_to_a_heading() -> None:
     for old, new in publication.MOVED.items():
         page, _, place = new.partition("#")
         text = (DOCS / page).with_suffix(".md").read_text(encoding="utf-8")
-        names = [re.sub(r"[^\w -]", "", title.lower()).replace(" ", "-") for title in re.findall(r"^#+ (.+)$", text, re.M)]
+        titles = re.findall(r"^#+ (.+)$", text, re.M)
+        names = {re.sub(r"[^\w -]", "", title.lower()).replace(" ", "-") for title in titles}
         assert (old, place in {*names, ""}) == (old, True)
 
 

@@ -251,6 +251,36 @@ def test_code_fits_a_wide_screen_on_every_page(server: Server, tmp_path: Path) -
     assert found == {f"/{wide}": [line[:60]]}
 
 
+FIND = r"""<body><iframe width="1280" height="900"></iframe><script>
+const frame = document.querySelector("iframe"), asked = ASKED, found = {};
+frame.addEventListener("load", () => {
+  const waiting = setInterval(() => {
+    const page = frame.contentDocument, links = page.querySelectorAll("#search-results li a");
+    if (!/found/.test(page.querySelector(".search-summary")?.textContent ?? "") || links.length === 0) return;
+    clearInterval(waiting);
+    found[asked.pop()] = [...links].slice(0, 3).map(link => link.getAttribute("href").split("#")[0]);
+    if (asked.length) ask(); else fetch("/seen", {method: "POST", body: JSON.stringify(found)});
+  }, 50);
+});
+const ask = () => { frame.src = `search.html?q=${asked[asked.length - 1]}`; };
+ask();
+</script>"""
+"""Page that searches for words, and sends the first pages that are found for each."""
+SOUGHT = {
+    "log": "from_pose", "exp": "pose", "hat": "pose", "slerp": "interpolate", "covariance": "compose_covariance",
+    "twist": "twist", "adjoint": "adjoint", "left Jacobian": "tangent", "errata": "errata",
+}  # fmt: skip
+"""Page that is among the first three found for words."""
+
+
+def test_search_leads_to_functions_first(server: Server, tmp_path: Path) -> None:
+    server.further["find"] = FIND.replace("ASKED", json.dumps([*SOUGHT]))
+    found, _ = browse(server, "find", tmp_path)
+    names = {words: [str(link).removesuffix(".html").rpartition(".")[2] for link in found[words]] for words in SOUGHT}
+    assert [words for words, name in SOUGHT.items() if name not in names[words]] == []
+    assert not any("field" in links for links in names.values())
+
+
 def test_every_relative_link_exists(server: Server) -> None:
     assert links.dead_links(SITE) == []
 

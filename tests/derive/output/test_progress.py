@@ -95,7 +95,7 @@ def test_generate_has_a_bar(
     derive.generate([4], output=tmp_path)
     assert "cayley4: printing" in reported
     derive.generate([1], output=tmp_path)
-    assert {"cayley1: printing", "cayley3: printing, to check the geometry that all charts share"} <= {*reported}
+    assert {"cayley1: printing", "cayley3 (checks the geometry that all charts share): printing"} <= {*reported}
     assert "━" in terminal.getvalue()
 
 
