@@ -84,7 +84,7 @@ html_favicon = "_static/favicon.svg"
 html_static_path = ["_static", str(ROOT / "build" / "docs" / "assets")]
 html_css_files = ["site.css"]
 html_js_files = ["site.js"]
-html_search_scorer = "_static/scorer.js"
+html_search_scorer = str(ROOT / "docs" / "_ext" / "scorer.js")
 html_theme_options = {
     "navbar_end": ["theme-switcher", "navbar-icon-links"],
     "header_links_before_dropdown": 8,
