@@ -87,7 +87,7 @@ html_js_files = ["site.js"]
 html_search_scorer = str(ROOT / "docs" / "_ext" / "scorer.js")
 html_theme_options = {
     "navbar_end": ["theme-switcher", "navbar-icon-links"],
-    "header_links_before_dropdown": 8,
+    "header_links_before_dropdown": 6,
     "show_prev_next": True,
     "secondary_sidebar_items": ["page-toc", "edit-this-page"],
     "footer_start": ["about"],
