@@ -9,6 +9,7 @@ from __future__ import annotations
 import argparse
 import re
 import sys
+import textwrap
 import tomllib
 from collections import Counter
 from collections.abc import Iterator, Sequence
@@ -74,6 +75,9 @@ false alarms, where the formula is true.
 NAMES: dict[str, list[str]] = tomllib.loads(Path(__file__).with_name("field_names.toml").read_text(encoding="utf-8"))
 """Anchors of formulas by the names under which readers look for them."""
 
+CODE = 96
+"""Characters in a line of code on a wide screen."""
+
 CONDITION_MAX = 90
 """Length of a condition that fits into a table."""
 
@@ -121,8 +125,9 @@ def _names(every: Sequence[tuple[Document, Result]]) -> Iterator[str]:
 
 
 def _in_lines(bibtex: str) -> str:
-    """Return an entry with a line for each field."""
-    return re.sub(r", (?=\w+ = \{)", ",\n  ", bibtex)
+    """Return an entry with a line for each field, and with two for a long one."""
+    lines = re.sub(r", (?=\w+ = \{)", ",\n  ", bibtex).split("\n")
+    return "\n".join(textwrap.fill(line, CODE, subsequent_indent=" " * 4) for line in lines)
 
 
 def _counts(library: Sequence[Document]) -> Iterator[str]:
