@@ -214,7 +214,7 @@ SECOND = {
 """Words on the first two screens of a page."""
 LINKED = ("errata.html#condurache-popa-2023-112", "field.html#kindr-411", "theorems.html#rates-of-v")
 WITHOUT_FORMULAS = {
-    IN_CHART, "index.html", "benchmarks.html", "accuracy.html", "assurance.html", "coming_from/gtsam.html",
+    IN_CHART, "index.html", "genindex.html", "benchmarks.html", "accuracy.html", "assurance.html", "coming_from/gtsam.html",
     "explanation/live.html",
 }  # fmt: skip
 
