@@ -39,7 +39,8 @@ extensions = [
     "_ext.sheet",
     "_ext.try_it",
 ]
-exclude_patterns = ["_build", "_templates", "**/README.md", "examples/*.ipynb"]  # myst-nb would run these notebooks
+# myst-nb would run the notebooks; the figures of all charts are part of a guide
+exclude_patterns = ["_build", "_templates", "**/README.md", "examples/*.ipynb", "parameterizations.md"]
 nitpicky = False
 suppress_warnings = ["config.cache"]
 
@@ -83,6 +84,7 @@ html_favicon = "_static/favicon.svg"
 html_static_path = ["_static", str(ROOT / "build" / "docs" / "assets")]
 html_css_files = ["site.css"]
 html_js_files = ["site.js"]
+html_search_scorer = str(ROOT / "docs" / "_ext" / "scorer.js")
 html_theme_options = {
     "navbar_end": ["theme-switcher", "navbar-icon-links"],
     "header_links_before_dropdown": 6,

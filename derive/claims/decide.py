@@ -104,7 +104,7 @@ def _is_ambiguous(entry: Entry, verdicts: Sequence[Verdict]) -> bool:
 
 
 def _corrected(found: Result, claim: Claim, finding: Finding) -> Result:
-    """Return the result of a false statement with its correction, and with the condition of this."""
+    """Return the result of a false statement: its correction, and the condition under which that is true."""
     entry = claim.entry
     if entry.corrected is None:
         raise UndecidedError(f"({entry.number}) is false and has no correction: {finding.method}")

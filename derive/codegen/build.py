@@ -9,6 +9,7 @@ import gc
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager, nullcontext
 from dataclasses import dataclass, replace
+from functools import partial
 from itertools import tee
 from pathlib import Path
 from typing import TypeVar
@@ -67,8 +68,9 @@ def build(charts: Sequence[Chart], target: Target, progress: Progress = silent, 
         relaxed_gc(),
         scratch() as folder,
         mapping(check, processes) as results,
-        progress(4 * len(built)) as report,
+        progress(4 * len(built)) as step,
     ):
+        report = step if geometry in charts else partial(_told, step, geometry.name)
         shared = shared_texts(target)
         files.write(folder, shared)
         proved = map(prove, announced(built, "proving", report))
@@ -83,6 +85,12 @@ def build(charts: Sequence[Chart], target: Target, progress: Progress = silent, 
         )
         checked = tuple(announced(counted, "checked", report))
     return Package(shared, tuple(module for module in checked if module.proved.formulas in charts))
+
+
+def _told(step: Step, name: str, line: str) -> None:
+    """Report a step; of a chart that was not asked for, say why it is built."""
+    what, colon, stage = line.partition(": ")
+    step(f"{what} (checks the geometry that all charts share){colon}{stage}" if what.startswith(name) else line)
 
 
 def print_package(

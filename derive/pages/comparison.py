@@ -155,8 +155,9 @@ def compare(orders: Iterable[int] = (), families: Iterable[str] = (), phi: str |
     Returns
     -------
     list of Compared
-        Rows of a table, as notebooks show it; by default n = 1 … 4 and the committed families. Each has its ``chart``,
-        ``edge`` (rad), ``range`` (length of v there), ``stretches`` by angle, and ``operations`` by function.
+        Rows of a table, as notebooks show it; by default n = 1 … 4 and the committed families but multiples. Each has
+        its ``chart``, ``edge`` (rad), ``range`` (length of v there), ``stretches`` by angle, and ``operations`` by
+        function.
 
     Raises
     ------
@@ -176,9 +177,9 @@ def compare(orders: Iterable[int] = (), families: Iterable[str] = (), phi: str |
 
 
 def charts(orders: Iterable[int], families: Iterable[str], phi: str | None) -> list[Chart]:
-    """Return the charts to compare: n = 1 … 4 and the committed families if none is named."""
+    """Return the charts to compare: n = 1 … 4 and the committed families but multiples of others, if none is named."""
     chosen = catalogue.charts(orders, families) + (catalogue.charts((), (), phi, "phi") if phi is not None else [])
-    return chosen or catalogue.charts((1, 2, 3, 4), about.FAMILIES)
+    return chosen or [chart for chart in catalogue.charts((1, 2, 3, 4), about.FAMILIES) if not chart.base]
 
 
 def compared(chosen: Sequence[Chart], step: Step) -> list[Compared]:

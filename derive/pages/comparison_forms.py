@@ -91,7 +91,8 @@ def _page(compared: Sequence[Compared]) -> str:
     nearest = measurements(NEAREST) or {"points": 0, "rows": []}
     return render(
         "report/parameterizations.md.j2",
-        shape=_table(*_shape(compared)),
+        reach=_table(*_reach(compared)),
+        stretches=_table(*_stretches(compared)),
         cost=_table(*cost(compared)),
         errors=_table(*measured(compared, "errors")),
         times=_table(*measured(compared, "nanoseconds")),
@@ -100,16 +101,22 @@ def _page(compared: Sequence[Compared]) -> str:
     )
 
 
-def _shape(compared: Sequence[Compared]) -> Table:
-    of_angles = [f"{name} {what}" for name in ANGLES for what in ("1/φ′", "across", "cond")]
+def _reach(compared: Sequence[Compared]) -> Table:
     rows = []
     for row in compared:
-        cells = [row.chart.name, row.chart.parameter, number(row.edge / math.pi), number(row.range)]
-        for found in row.stretches.values():
-            cells += map(number, (found.along, found.across, found.condition) if found else [None] * 3)
         singular = (number(float((angle / sympy.pi).evalf(10))) for angle in row.chart.singular_angles)
-        rows.append([*cells, ", ".join(singular)])
-    return ["chart", "φ", "edge/π", "|v| there", *of_angles, "singular angles/π"], rows
+        sizes = (number(row.edge / math.pi), number(row.range))
+        rows.append([row.chart.name, row.chart.parameter, *sizes, ", ".join(singular)])
+    return ["chart", "φ", "edge/π", "|v| there", "singular angles/π"], rows
+
+
+def _stretches(compared: Sequence[Compared]) -> Table:
+    headings = ["chart", *(f"{name} {what}" for name in ANGLES for what in ("1/φ′", "across", "cond"))]
+    rows = []
+    for row in compared:
+        found = ((at.along, at.across, at.condition) if at else (None,) * 3 for at in row.stretches.values())
+        rows.append([row.chart.name, *(number(cell) for cells in found for cell in cells)])
+    return headings, rows
 
 
 def _table(headings: Sequence[str], rows: Sequence[Sequence[str]]) -> str:

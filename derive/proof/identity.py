@@ -21,7 +21,7 @@ from .notation import latex, text
 
 @dataclass(frozen=True)
 class Equation(Typeset):
-    """Equation ``left = right``. Theorems with the right side `wrong`, by default twice the right side, must fail."""
+    """Equation ``left = right``. With `wrong` as its right side, by default twice the right side, it must fail."""
 
     left: sympy.Expr
     right: sympy.Expr

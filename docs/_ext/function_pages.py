@@ -5,6 +5,7 @@ from __future__ import annotations
 import inspect
 import re
 from itertools import chain
+from pathlib import Path
 from typing import Any
 
 from docutils import nodes
@@ -20,10 +21,18 @@ from derive.proof.identity import Proof
 from dualcay import cayley2
 from dualcay.rotation import cayley2 as rotation
 
+GLOSSARY = Path(__file__).parents[1] / "glossary.md"
 LISTS = "reference/functions"
 """Page with the lists of the functions of a chart."""
 BODY = "body_"
 SHAPE = re.compile(r"^(?:(.+) : )?array, shape \((?:\.\.\.(?:, )?)?(.*?),?\)")
+RELATED, NEAR = 5, 0.15
+"""Most functions under "See also", and the nearness that each must exceed."""
+ARRAYS = {
+    name: tuple({each.name.rstrip("12") for each in arrays} for arrays in (row.arguments, row.results))
+    for name, row in POSES.public.items()
+}
+"""Names of the arrays that a function takes and gives."""
 WITH = ("Rate", "Jacobian", "Transition", "Twist")
 MOTION = tuple(heading for heading in sheet.MOTION_OF_ORDER if heading.startswith(WITH))
 """Parts of the formula sheet with the formulas of functions whose docstrings have none."""
@@ -65,6 +74,48 @@ def targets(name: str) -> list[str]:
             has = name in {**POSES.public, **({} if target.name == "native" else POSES.composed)}
         found += [target.name] * has
     return [*found, *["Dask"] * (name in dualcay.dask.SIGNATURES["PoseKernels"])]
+
+
+def related(name: str) -> list[str]:
+    """Return the functions nearest to one: its twin of the other frame, its inverse, its derivatives, common theorems.
+
+    Examples
+    --------
+    >>> related("twist")
+    ['body_twist', 'rate', 'twist_dot', 'twist_jacobian', 'tangent']
+    """
+    stem = name.removeprefix(BODY)
+
+    def nearness(other: str) -> float:
+        if name.startswith(BODY) != other.startswith(BODY) and {BODY + stem, name} <= COVERAGE.keys():
+            return 8.0 * (other.removeprefix(BODY) == stem)
+        root = other.removeprefix(BODY)
+        derived = stem.startswith(f"{root}_") or root.startswith(f"{stem}_")
+        own, others = ({*COVERAGE[each].theorems} for each in (name, other))
+        return 4 * _undoes(name, other) + 2 * derived + len(own & others) / len(own)
+
+    if name not in ARRAYS:
+        return []
+    found = {other: nearness(other) for other in POSES.public if other != name and other in COVERAGE}
+    nearest = sorted(found, key=lambda other: -found[other])[:RELATED]
+    return [other for other in nearest if found[other] > NEAR]
+
+
+def _undoes(one: str, other: str) -> bool:
+    """Tell whether each of two functions takes what the other gives."""
+    (takes, gives), (other_takes, other_gives) = ARRAYS[one], ARRAYS[other]
+    both = gives <= other_takes and other_gives <= takes and gives != other_gives
+    return both or f"from_{one}" == other or f"from_{other}" == one
+
+
+def words() -> dict[str, list[str]]:
+    """Return the words of the glossary for which readers search, by the full names that its table gives for them."""
+    table = GLOSSARY.read_text(encoding="utf-8").partition("## Words that you may search for")[2].partition("\n## ")[0]
+    found: dict[str, list[str]] = {}
+    for given, answer in re.findall(r"^\| (.+?) \| (.+) \|$", table, re.M):
+        for name in re.findall(r"<(dualcay[\w.]*)>", answer):
+            found.setdefault(name, []).extend(given.replace("`", "").split(", "))
+    return found
 
 
 def formulas() -> dict[str, list[str]]:

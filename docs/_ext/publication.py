@@ -15,6 +15,13 @@ from derive.output.files import put
 ROOT = Path(__file__).parents[2]
 INTERFACES = {"dualcay.cayley2": "dualcay._interface", "dualcay.rotation.cayley2": "dualcay.rotation._interface"}
 """Module whose methods are the functions of a kernel module, by the kernel module that the reference shows."""
+MOVED = {
+    "conditioning": "explanation/conditioning.html",
+    "explanation/no_series": "explanation/conditioning.html#why-are-small-angles-no-special-case",
+    "howto/verify_equation": "howto/check_formula.html#an-equation-of-the-two-papers",
+    "parameterizations": "howto/choose_chart.html#all-charts-in-figures",
+}
+"""Places to which pages have moved."""
 FEW_HEADINGS = 2
 """Largest number of headings below the title for which a page has no list of its headings."""
 
@@ -74,6 +81,13 @@ def write(app: Any) -> None:
     put(folder / "citation.bib", f"{text}\n")
 
 
+def redirect(app: Any, error: Exception | None) -> None:
+    """Write a page in the place of each one that has moved, which leads on."""
+    for old, new in MOVED.items() if error is None else ():
+        up = "../" * old.count("/")
+        put(Path(app.outdir, f"{old}.html"), f'<!doctype html><meta http-equiv="refresh" content="0; url={up}{new}">\n')
+
+
 def page_context(app: Any, name: str, template: str, context: dict[str, Any], doctree: Any) -> None:
     """Leave out the edit button of pages that a command writes, and the list of headings where there are few."""
     if name.startswith(("reference/generated/", "examples/", "_modules/")):
@@ -109,6 +123,7 @@ def source(app: Any, module: str) -> tuple[str, dict[str, Any]] | None:
 def setup(app: Any) -> dict[str, bool]:
     """Connect the parts to Sphinx; the theme reads the context of a page later."""
     app.connect("builder-inited", write, priority=400)
+    app.connect("build-finished", redirect)
     app.connect("html-page-context", page_context, priority=400)
     app.connect("doctree-read", without_code, priority=400)  # before viewcode
     app.connect("viewcode-follow-imported", home)

@@ -175,6 +175,8 @@ def context() -> dict[str, Any]:
         "rotations": functions(rotation),
         "figures": {name: draw.__name__ for name, draw in reference_figures.FIGURES.items()},
         "formulas": function_pages.formulas(),
+        "related": {name: function_pages.related(name) for name in functions(cayley2)},
+        "words": function_pages.words(),
         "targets": {name: function_pages.targets(name) for name in functions(cayley2)},
         "examples": {name: chart_examples.script(name, charts()) for name in functions(cayley2)},
         "captions": {name: inspect.getdoc(draw) for name, draw in reference_figures.FIGURES.items()},

@@ -36,10 +36,15 @@ document.addEventListener("DOMContentLoaded", () => {
   field.type = "search";
   field.className = "filter-entries form-control";
   field.placeholder = field.ariaLabel = "Show only entries with …";
+  // A line is found by its own words and by the titles of what folds it; what folds others opens while words are sought.
   const lines = [...entries, ...article.querySelectorAll("tbody tr")];
-  const words = new Map(lines.map(line => [line, (line.querySelector("summary") ?? line).textContent.toLowerCase()]));
+  const titles = line => line && `${line.querySelector("summary")?.textContent ?? ""} ${titles(line.parentElement.closest("details"))}`;
+  const words = new Map(lines.map(line => [line, `${line.textContent} ${titles(line)}`.toLowerCase()]));
+  const folders = entries.filter(entry => entry.querySelector("details, table"));
   field.addEventListener("input", () => {
-    for (const [line, text] of words) line.hidden = !text.includes(field.value.trim().toLowerCase());
+    const sought = field.value.toLowerCase().split(/\s+/).filter(word => word && word !== "the");
+    for (const [line, text] of words) line.hidden = !sought.every(word => text.includes(word));
+    for (const folder of folders) folder.open = sought.length > 0 && !folder.hidden;
   });
   first.before(field);
 });

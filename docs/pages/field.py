@@ -9,6 +9,8 @@ from __future__ import annotations
 import argparse
 import re
 import sys
+import textwrap
+import tomllib
 from collections import Counter
 from collections.abc import Iterator, Sequence
 from pathlib import Path
@@ -27,18 +29,25 @@ SECONDS = 600.0
 HEAD = """# Formulas in use
 
 Libraries, theses and flight code are written from formula sheets, manuals and documentation. This page lists {count}
-formulas of such documents, of code, and of reports by readers. Each was entered as printed, at a commit or in a thread,
-and decided by computation in the conventions of its source. Later versions may differ. An entry is cited by its anchor,
-such as `kindr-411`, and [field.json](field.json) holds the same facts for programs. `make verify` writes both;
-`dualcay verify` with a [file of claims](reference/claims.md) decides a document of yours.
+formulas of such documents, of code, and of reports by readers: {wrong} are wrong. Each was entered as printed, at a
+commit or in a thread, and decided by computation in the conventions of its source. Later versions may differ. An entry
+is cited by its anchor, such as `kindr-411`, and [field.json](field.json) holds the same facts for programs.
+
+## Formulas by name
+
+Each line opens to a true formula to copy, and to the sources that print it right or wrong.
 """
 
-WRONG_HEAD = """
-## Wrong formulas
+DOCUMENTS_HEAD = """
+## Documents
 
-A formula is listed if it is false as printed and its correction is true. Both are shown in the notation of claims,
-with the differing parts in red, and with numbers at which the sides of the printed formula differ.
+Each document opens to its wrong formulas and to a table of all. A wrong formula is shown beside its correction in the
+notation of claims, with the differing parts in red, and with numbers at which the sides of the printed formula differ.
+`make verify` writes this page. `dualcay verify` with a [file of claims](reference/claims.md) decides your documents.
 """
+
+END = "\n</details>\n"
+"""End of what a title folds."""
 
 CODE_HEAD = """
 ## Series near zero in code
@@ -48,17 +57,26 @@ the coefficient is given just below, where the series is used, and just above, w
 is the largest found within 3 %. Errors were computed in the given precision against 200 digits. Where a series is true
 to its order, "holds" says nothing on the rounding of the closed form.
 
+<details><summary>Switches and errors</summary>
+
 | code | status | precision | switch | error below | error above | formula |
 |---|---|---|--:|--:|--:|---|"""
 
-SCORE_HEAD = """
-## Formulas that readers reported
+SCORE_HEAD = """## Formulas that readers reported
 
 Readers reported these formulas in public threads: {found} are found wrong here, {missed} are missed, and {alarms} were
 false alarms, where the formula is true.
 
+<details><summary>Threads and verdicts</summary>
+
 | thread | formula | verdict |
 |---|---|---|"""
+
+NAMES: dict[str, list[str]] = tomllib.loads(Path(__file__).with_name("field_names.toml").read_text(encoding="utf-8"))
+"""Anchors of formulas by the names under which readers look for them."""
+
+CODE = 96
+"""Characters in a line of code on a wide screen."""
 
 CONDITION_MAX = 90
 """Length of a condition that fits into a table."""
@@ -69,24 +87,47 @@ def page(library: Sequence[Document]) -> str:
     every = [(of, result) for of in library for result in of.results]
     scores = Counter(of.score(result) for of, result in every)
     code = [(of, result) for of, result in every if of.on(result).get("switch")]
-    lines = [HEAD.format(count=len(every)), *_counts(library), WRONG_HEAD]
-    for of in library:
-        if of.count(*WRONG):
-            lines += [f"### {of.short}\n", *(line for r in of.results if r.status in WRONG for line in _wrong(of, r))]
+    wrong = sum(of.count(*WRONG) for of in library)
+    lines = [HEAD.format(count=len(every), wrong=wrong), *_names(every), DOCUMENTS_HEAD, *_counts(library), ""]
+    lines += [line for of in library for line in _document(of)]
     for status, head in ((Status.UNREFUTED, "True at all points, and not proved"), (Status.UNDECIDED, "Undecided")):
         if found := [(of, result) for of, result in every if result.status is status]:
             lines += [f"## {head}\n", *(f"- {_link(of, result)}: {result.method}" for of, result in found)]
-    lines += [CODE_HEAD, *(line for of, result in code for line in _switches(of, result))]
+    lines += [CODE_HEAD, *(line for of, result in code for line in _switches(of, result)), END]
     lines.append(SCORE_HEAD.format(found=scores["found"], missed=scores["missed"], alarms=scores["false alarm"]))
     lines += [f"| {_thread(of.on(r)['report'])} | {_link(of, r)} | {of.score(r)} |" for of, r in every if of.score(r)]
-    lines += ["\n## All formulas", *(line for of in library for line in _claims(of))]
-    lines += ["\n## To cite a document\n", "```bibtex", *(_in_lines(of.about["bibtex"]) for of in library), "```", ""]
-    return "\n".join(lines)
+    lines += [END, "## To cite a document\n", _open("BibTeX of the documents"), "```bibtex"]
+    return "\n".join([*lines, *(_in_lines(of.about["bibtex"]) for of in library), "```", END])
+
+
+def _open(title: str) -> str:
+    """Return the start of what a title folds; `END` ends it."""
+    return f"<details><summary>{title}</summary>\n"
+
+
+def _names(every: Sequence[tuple[Document, Result]]) -> Iterator[str]:
+    """Yield the formulas that readers look for by name, each with a true one, and with those who print it."""
+    known = {anchor(result): (of, result) for of, result in every}
+    for name, anchors in NAMES.items():
+        found = [known[place] for place in anchors if place in known]
+        right, wrong = ([(of, r) for of, r in found if (r.status in WRONG) == side] for side in (False, True))
+        if not right:
+            continue
+        of, best = right[0]
+        yield _open(f"<b>{name}</b>: {len(right)} right, {len(wrong)} wrong")
+        yield f"- To copy, as printed in {of.short}: {_maths(best.equation.printed)}"
+        yield f"- As LaTeX: `{best.equation.printed}`"
+        yield from [f"- True where `{best.found}`"] if best.found else []
+        yield f"- Right: {', '.join(_link(of, result) for of, result in right)}"
+        if wrong:
+            yield f"- Wrong: {', '.join(f'{_link(of, result)} ({_error(of, result)})' for of, result in wrong)}"
+        yield END
 
 
 def _in_lines(bibtex: str) -> str:
-    """Return an entry with a line for each field."""
-    return re.sub(r", (?=\w+ = \{)", ",\n  ", bibtex)
+    """Return an entry with a line for each field, and with two for a long one."""
+    lines = re.sub(r", (?=\w+ = \{)", ",\n  ", bibtex).split("\n")
+    return "\n".join(textwrap.fill(line, CODE, subsequent_indent=" " * 4) for line in lines)
 
 
 def _counts(library: Sequence[Document]) -> Iterator[str]:
@@ -104,8 +145,10 @@ def _counts(library: Sequence[Document]) -> Iterator[str]:
 def _wrong(of: Document, result: Result) -> Iterator[str]:
     """Yield the lines of a wrong formula: both forms, numbers, and code that has it too."""
     entry, known = result.equation, of.on(result)
-    yield f'<a id="{anchor(result)}"></a>\n\n#### {of.slug} {entry.number}\n'
-    yield f"{_at(entry.at, of.place(result))}. Error: {known.get('error', 'see the numbers')}.\n"
+    names = [name for name, anchors in NAMES.items() if anchor(result) in anchors]
+    yield _open(f"<b>{of.slug} {entry.number}</b> {'; '.join([*names, _error(of, result)])}")
+    yield f'<a id="{anchor(result)}"></a>\n'
+    yield f"{_at(entry.at, of.place(result))}.\n"
     yield f"- As it stands: {_maths(entry.printed)}"
     if result.corrected:
         printed, corrected = differing_sides(result)
@@ -119,7 +162,7 @@ def _wrong(of: Document, result: Result) -> Iterator[str]:
         yield f"- The same in code: {_at(where, Place.of(where, where))}: {code['error']}."
     if entry.remark:
         yield f"- Note: {entry.remark}."
-    yield ""
+    yield END
 
 
 def _definitions(result: Result) -> str:
@@ -143,16 +186,20 @@ def _switches(of: Document, result: Result) -> Iterator[str]:
         yield f"| {name} | {result.status} | {precision} | {numbers} | {_maths(entry.printed)} |"
 
 
-def _claims(of: Document) -> Iterator[str]:
-    """Yield the table of a document's formulas with their status and condition."""
-    yield f'\n<a id="in-{of.slug}"></a>\n\n### {of.title}\n\n{of.sheet.citation}.'
-    yield f"Conventions: {of.about['conventions']}. Licence: {of.about['licence']}.\n"
+def _document(of: Document) -> Iterator[str]:
+    """Yield a document, folded: its wrong formulas, and the table of all with their status and condition."""
+    wrong = [result for result in of.results if result.status in WRONG]
+    yield _open(f"<b>{of.short}</b>: {len(of.results)} formulas, {len(wrong)} wrong")
+    yield f'<a id="in-{of.slug}"></a>\n'
+    yield f"{of.sheet.citation}. Conventions: {of.about['conventions']}. Licence: {of.about['licence']}.\n"
+    yield from (line for result in wrong for line in _wrong(of, result))
     yield "| | status | condition | printed |\n|---|---|---|---|"
     for result in of.results:
         label = result.equation.number
         name = _link(of, result, label) if result.status in WRONG else f'<a id="{anchor(result)}"></a>{label}'
         how = f" ({result.certainty})" if result.status in TRUE else ""
         yield f"| {name} | {result.status}{how} | {_condition(result)} | {_maths(result.equation.printed)} |"
+    yield END
 
 
 def _condition(result: Result) -> str:
@@ -161,10 +208,15 @@ def _condition(result: Result) -> str:
     return "; ".join([*words, *([f"stated for `{result.domain}`"] if result.domain else [])]).replace("|", "\\|")
 
 
+def _error(of: Document, result: Result) -> str:
+    """Return the kind of an error in words."""
+    return str(of.on(result).get("error", "see the numbers"))
+
+
 def _link(of: Document, result: Result, label: str = "") -> str:
-    """Return a link to the entry of a wrong formula, or to the document of another."""
-    target = anchor(result) if result.status in WRONG else f"in-{of.slug}"
-    return f"[{label or f'{of.slug} {result.equation.number}'}](#{target})"
+    """Return a link to the entry of a formula: of a true one in HTML, for its anchor is inside a cell."""
+    target, words = anchor(result), label or f"{of.slug} {result.equation.number}"
+    return f"[{words}](#{target})" if result.status in WRONG else f'<a href="#{target}">{words}</a>'
 
 
 def _at(words: str, place: Place) -> str:

@@ -78,6 +78,12 @@ def test_every_formula_has_an_anchor_of_its_own(library: list[Document]) -> None
     assert all(PAGE.count(f'<a id="{name}"></a>') == 1 for name in names)
 
 
+def test_formulas_by_name_have_one_to_copy() -> None:
+    statuses = {name: [Status(RECORDED[place]["status"]) for place in anchors] for name, anchors in field.NAMES.items()}
+    assert [name for name, found in statuses.items() if all(status in WRONG for status in found)] == []
+    assert "<b>inverse left Jacobian of SO(3)</b>: 10 right, 2 wrong" in PAGE
+
+
 def test_a_sample_is_decided_as_recorded_and_a_change_is_noticed() -> None:
     read = {one.slug: one for one in sheets()}
     items = [(one, place) for one in read.values() for place in range(len(one.entries()))][::240]
@@ -114,7 +120,7 @@ def test_what_takes_too_long_is_on_the_page_and_the_run_goes_on(
     monkeypatch.setattr(field, "sheets", lambda: [sheet(slow, "small.toml")])
     assert field.main(["-o", str(tmp_path / "field.md"), "--seconds", "1"]) == 0
     text = (tmp_path / "field.md").read_text(encoding="utf-8")
-    assert "[small 2](#in-small): not decided within 1 s of processor time" in text
+    assert '<a href="#small-2">small 2</a>: not decided within 1 s of processor time' in text
     assert "| [Two formulas](#in-small) | 2 | 1 | 0 | 0 | 0 | 1 |" in text
 
 

@@ -21,8 +21,8 @@ import sympy
 
 import derive
 import dualcay
+from benchmarks import commands, style
 from benchmarks import page as speed
-from benchmarks import style
 from benchmarks.accuracy import report as accuracy
 from derive.cli.commands import cli
 from derive.codegen.signatures import POSES
@@ -162,6 +162,22 @@ def test_dead_links_of_a_site_are_found(tmp_path: Path) -> None:
     assert links.dead_links(tmp_path) == ["index.html: picture.png", "page.html: #there"]
 
 
+def test_times_on_pages_have_commands_that_measure_them() -> None:
+    named = {name for page in commands.PAGES for _, name, _ in commands.PLACE.findall(page.read_text(encoding="utf-8"))}
+    assert named == commands.COMMANDS.keys()
+    for line in commands.COMMANDS.values():
+        pages.check_command(f"dualcay {line}")
+
+
+def test_pages_that_moved_lead_to_a_heading() -> None:
+    for old, new in publication.MOVED.items():
+        page, _, place = new.partition("#")
+        text = (DOCS / page).with_suffix(".md").read_text(encoding="utf-8")
+        titles = re.findall(r"^#+ (.+)$", text, re.M)
+        names = {re.sub(r"[^\w -]", "", title.lower()).replace(" ", "-") for title in titles}
+        assert (old, place in {*names, ""}) == (old, True)
+
+
 def test_repository_has_one_setting() -> None:
     assert publication.theme_options("") == publication.html_context("") == {}
     [link] = publication.theme_options("https://a.b/c")["icon_links"]
@@ -185,7 +201,7 @@ def test_page_begins_with_its_introduction(name: str, introduction: str) -> None
 CHARTS = {name for name in dir(dualcay) if hasattr(getattr(dualcay, name), "KERNELS")}
 EXPECTED = {
     "functions": {*reference.functions(cayley2), *reference.functions(rotation)},
-    "charts": CHARTS,
+    "charts": {name for name in CHARTS if not name.startswith("scaled")},  # multiples of Cayley maps
     "tools": {*dualcay.__all__, *dualcay.PARTS} - {"rotation"},
     "toolkit": {*derive.__all__} - {"__version__", "x", "alpha"},
 }
@@ -209,6 +225,8 @@ def test_lists_tell_what_each_function_takes_gives_and_where_it_is() -> None:
     assert function_pages.targets("rate") == [*TARGETS, "Dask"]
     assert function_pages.targets("switch") == [name for name in TARGETS if name != "native"]
     assert function_pages.targets("random") == ["numpy", "numba"]
+    assert examples.failures(function_pages.related.__doc__ or "", "related", vars(function_pages)) == ""
+    assert all(function_pages.related(name) for name in function_pages.COVERAGE if name in POSES.public)
     assert {"twist_jacobian", "body_rate_dot", "compose_jacobians"} <= function_pages.formulas().keys()
 
 

@@ -27,10 +27,10 @@ FLAGS = (
     "--host-resolver-rules=MAP * ~NOTFOUND, EXCLUDE 127.0.0.1",
 )
 
-CUT = r"""const cut = page => [...page.querySelectorAll("article pre")]
+CUT = r"""const cut = page => [...page.querySelectorAll("article pre, article table:not(:has(.math))")]
   .filter(node => node.scrollWidth > node.clientWidth + 1).map(node => node.textContent.slice(0, 60));
 """
-"""Script that finds code which is wider than its place."""
+"""Script that finds code, and tables without formulas, which are wider than their place."""
 
 FRAME = r"""<body style="margin: 0"><iframe width="WIDTH" height="900" style="border: 0"></iframe><script>
 CUTconst frame = document.querySelector("iframe");
@@ -90,7 +90,7 @@ frame.addEventListener("load", () => {
 });
 frame.src = pages.pop();
 </script>""".replace("CUT", CUT)
-"""Page that shows all pages of the site one by one, and sends the code that is cut."""
+"""Page that shows all pages of the site one by one, and sends the code and the tables that are cut."""
 
 GOOD = {
     "unrendered": 0, "wrong": [], "raw": [], "elsewhere": [], "overflow": 0, "console": [], "failed": [], "shown": True,
@@ -188,6 +188,9 @@ ERRATA = sum(
 )
 FIRST = {
     "index.html": ("pose in six numbers", "pip install"),
+    "field.html": ("formulas of such documents",),
+    "genindex.html": ("Index",),
+    "howto/spline.html": ("smooth curve through poses",),
     "tutorials/heavy_top.html": ("At the end you have", "download heavy_top.ipynb"),
     FUNCTION: ("dualcay.cayley2. tangent", "[source]", "Parameters"),
     "errata.html": ("What was decided", "erratum", f"CP23 {ERRATA}"),
@@ -206,13 +209,14 @@ SECOND = {
     IN_CHART: ("0.878", "Show the example of cayley2"),
     "accuracy.html": ("[Error of a pose against its angle", "Gates"),
     "errata.html": ("printed, and right", "(56)"),
+    "field.html": ("Formulas by name", "exponential of a rotation vector", "inverse left Jacobian"),
     "theorems.html": ("norm", "functions that rest on it"),
 }
 """Words on the first two screens of a page."""
 LINKED = ("errata.html#condurache-popa-2023-112", "field.html#kindr-411", "theorems.html#rates-of-v")
 WITHOUT_FORMULAS = {
-    IN_CHART, "index.html", "benchmarks.html", "accuracy.html", "assurance.html", "coming_from/gtsam.html",
-    "explanation/live.html",
+    IN_CHART, "index.html", "genindex.html", "howto/spline.html", "benchmarks.html", "accuracy.html", "assurance.html",
+    "coming_from/gtsam.html", "explanation/live.html",
 }  # fmt: skip
 
 
@@ -231,6 +235,15 @@ def test_page_is_sound(server: Server, tmp_path: Path, page: str, width: int, th
     assert [words for words in SECOND.get(page, ()) if words not in two] == []
 
 
+def test_front_page_is_one_screen(server: Server, tmp_path: Path) -> None:
+    seen = look(server, "index.html", tmp_path)
+    assert seen["second"] == ""
+    links = {"try", "explanation/live", "howto/rust", "howto/javascript", "howto/matlab", "howto/spline", "field"}
+    text = (SITE / "index.html").read_text(encoding="utf-8").partition("<article")[2]
+    assert [link for link in links if f'href="{link}.html' not in text] == []
+    assert 'href="assurance.html#machine-code"' in text
+
+
 def test_first_screen_without_its_answer_is_seen(server: Server, tmp_path: Path) -> None:
     sound = (SITE / "benchmarks.html").read_text(encoding="utf-8")
     late = sound.replace("<h1>", '<div style="height: 3000px"></div><h1>').replace("<details>", "<details open>")
@@ -241,7 +254,7 @@ def test_first_screen_without_its_answer_is_seen(server: Server, tmp_path: Path)
     assert seen["unfolded"]
 
 
-def test_code_fits_a_wide_screen_on_every_page(server: Server, tmp_path: Path) -> None:
+def test_code_and_tables_fit_a_wide_screen_on_every_page(server: Server, tmp_path: Path) -> None:
     names = [page.relative_to(SITE).as_posix() for page in sorted(SITE.rglob("*.html"))]
     looked = [name for name in names if not name.startswith(("_modules", "formula-sheet"))]
     wide, line = FUNCTION.replace("tangent", "wide"), "wide " * 99
@@ -249,6 +262,36 @@ def test_code_fits_a_wide_screen_on_every_page(server: Server, tmp_path: Path) -
     server.further["tour"] = TOUR.replace("PAGES", json.dumps([*looked, wide]))
     found, _ = browse(server, "tour", tmp_path)
     assert found == {f"/{wide}": [line[:60]]}
+
+
+FIND = r"""<body><iframe width="1280" height="900"></iframe><script>
+const frame = document.querySelector("iframe"), asked = ASKED, found = {};
+frame.addEventListener("load", () => {
+  const waiting = setInterval(() => {
+    const page = frame.contentDocument, links = page.querySelectorAll("#search-results li a");
+    if (!/found/.test(page.querySelector(".search-summary")?.textContent ?? "") || links.length === 0) return;
+    clearInterval(waiting);
+    found[asked.pop()] = [...links].slice(0, 3).map(link => link.getAttribute("href").split("#")[0]);
+    if (asked.length) ask(); else fetch("/seen", {method: "POST", body: JSON.stringify(found)});
+  }, 50);
+});
+const ask = () => { frame.src = `search.html?q=${asked[asked.length - 1]}`; };
+ask();
+</script>"""
+"""Page that searches for words, and sends the first pages that are found for each."""
+SOUGHT = {
+    "log": "from_pose", "exp": "pose", "hat": "pose", "slerp": "interpolate", "covariance": "compose_covariance",
+    "twist": "twist", "adjoint": "adjoint", "left Jacobian": "tangent", "errata": "errata",
+}  # fmt: skip
+"""Page that is among the first three found for words."""
+
+
+def test_search_leads_to_functions_first(server: Server, tmp_path: Path) -> None:
+    server.further["find"] = FIND.replace("ASKED", json.dumps([*SOUGHT]))
+    found, _ = browse(server, "find", tmp_path)
+    names = {words: [str(link).removesuffix(".html").rpartition(".")[2] for link in found[words]] for words in SOUGHT}
+    assert [words for words, name in SOUGHT.items() if name not in names[words]] == []
+    assert not any("field" in links for links in names.values())
 
 
 def test_every_relative_link_exists(server: Server) -> None:

@@ -157,10 +157,10 @@ def mended(claim: Claim, failing: Place | None, holds: Callable[[Claim], bool]) 
 
 
 def vacuous(claim: Claim, true: Sequence[Place]) -> Iterator[str]:
-    """Yield the terms of a true claim whose sign or coefficient does not matter."""
+    """Yield the terms of a true claim whose sign or coefficient does not matter, each with the claim so changed."""
     for words, changed in signs_and_coefficients(claim.entry.written or claim.statement):
         if true_at(claim.with_statement(claim.entry.expanded(changed)), true, (len(true) + 1) // 2):
-            yield words
+            yield f"{words}: {written(changed)}"
 
 
 def needed(claim: Claim) -> Iterator[str]:

@@ -158,7 +158,7 @@ class Probe:
                 free = [SHORT[(i + place) % len(SHORT)], *self.random.choices(SHORT, k=row.size - 1)]
                 free = [abs(c) if row.spread == "positive" else c for c in free]
                 at[letter] = [Fraction(1), *free[1:]] if row.projective else free
-            yield Place(f"short numbers {i + 1}", at, generic=True)
+            yield Place(f"point {i + 1} of short numbers", at, generic=True)
 
     def _generic(self) -> Iterator[Place]:
         sizes = [(low, high) for count, low, high in REGIMES[:3] for _ in range(count)]

@@ -43,7 +43,7 @@ def _with_room(found: Mapping[str, Program], programs: Mapping[str, Program]) ->
 
 
 def _with_inline_zero(program: Program) -> Program:
-    """Mark each ``x - x`` that is read once as inline, to match programs that do not name this zero."""
+    """Mark each zero ``x - x`` that is read once: it is printed inline, as in programs that do not name it."""
     reads = Counter([*(arg for statement in program.statements for arg in statement.args), *program.outputs])
     zeros = {s: replace(s, inline=True) for s in program.steps if s.op == "sub" and s.args[0] == s.args[1]}
     once: dict[Statement, Statement] = {step: inline for step, inline in zeros.items() if reads[step.name] == 1}

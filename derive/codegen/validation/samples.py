@@ -209,7 +209,10 @@ def _steps_to_pole(chart: Vectors, screw: Screw) -> Iterator[Drawn]:
 
 
 def _undecided(chart: Vectors, table: Table) -> Iterator[Drawn]:
-    """Yield cases at which v, or its dual part, leaves the axis open: s = 0 or w = 0 exactly; in rotations v alone."""
+    """Yield cases of poses whose axis has two or more directions: s = 0 or w = 0 exactly, of v or of its dual part.
+
+    Of rotations, v alone is such a case.
+    """
     half = mpmath.mpf(1) / 2
     sides = (half, -half) if table is POSES else (half,)
     for scale, direction in itertools.product((mpmath.mpf(1), half), LATTICE):

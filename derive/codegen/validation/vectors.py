@@ -186,7 +186,7 @@ class Vectors:
         return quaternion_from_screw(Screw(self.angle(length), u))
 
     def shadow(self, v: Vector, branch: int) -> Vector:
-        """Return the vector of the same pose ``branch`` branches further."""
+        """Return the vector of the same pose, moved on by a number of branches."""
         screw, own = self.screw(v)
         return self.at(screw, own + branch)
 

@@ -187,7 +187,7 @@ def _refined(f: sympy.Expr, rise: sympy.Expr, root: Any) -> Any:
 
 
 def _order(at: Intervals, phi: sympy.Expr, slope: sympy.Expr, root: Any) -> sympy.Rational:
-    """Return the order of the pole of φ at a singular point; `PhiError` if φ is finite there or nothing is proved."""
+    """Return the order of the pole of φ at a singular point; `PhiError` without a proof that it is a pole."""
     order, rest = sympy.S.Zero, sympy.S.One
     for base, power in with_quotients(slope).as_powers_dict().items():
         found = _zero(at, base, root) if base.has(alpha) else None

@@ -50,7 +50,7 @@ class Guess(ABC):
 
     @abstractmethod
     def lowered(self, x: Coefficient, r: Coefficient, m: Arithmetic) -> Coefficient:
-        """Return the guess at x and ``r = √x``, in the operations of an arithmetic."""
+        """Return the guess at x, with ``r = √x``, by the operations of a given arithmetic."""
 
     def solved(self, x: Coefficient, r: Coefficient, m: Arithmetic) -> Coefficient:
         """Return the angle at x and ``r = √x``."""

@@ -107,7 +107,7 @@ def test_erratum_has_a_correction_that_is_proved() -> None:
     result = decided(equal((a + b) ** 2, a**2 + b**2), corrected=square_of_sum)
     assert result.status is Status.ERRATUM
     assert result.corrected == latex(square_of_sum)
-    assert result.method == "refuted at short numbers 1; correction exact"
+    assert result.method == "refuted at point 1 of short numbers; correction exact"
 
 
 def test_erratum_shows_the_words_of_the_paper() -> None:

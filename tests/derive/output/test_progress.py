@@ -94,6 +94,8 @@ def test_generate_has_a_bar(
     terminal = on_terminal(monkeypatch, 0.0)
     derive.generate([4], output=tmp_path)
     assert "cayley4: printing" in reported
+    derive.generate([1], output=tmp_path)
+    assert {"cayley1: printing", "cayley3 (checks the geometry that all charts share): printing"} <= {*reported}
     assert "━" in terminal.getvalue()
 
 
