@@ -10,8 +10,10 @@ import resource
 import shlex
 import subprocess
 import sys
-import tempfile
 from pathlib import Path
+
+from derive.output import files
+from derive.workers import scratch
 
 ROOT = Path(__file__).parents[1]
 PAGES = (ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs" / "howto").glob("*.md")))
@@ -30,7 +32,7 @@ PLACE = re.compile(r"(<!-- ([\w-]+) -->)(\d+) s\b")
 def seconds(command: str) -> float:
     """Return the processor time of a command and of the processes that it starts, in an empty folder."""
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
-    with tempfile.TemporaryDirectory() as folder:
+    with scratch() as folder:
         call = [sys.executable, "-m", "derive", *shlex.split(command)]
         subprocess.run(call, cwd=folder, check=True, capture_output=True)
     after = resource.getrusage(resource.RUSAGE_CHILDREN)
@@ -43,7 +45,7 @@ def write(found: dict[str, float]) -> None:
         text = page.read_text(encoding="utf-8")
         told = PLACE.sub(lambda at: f"{at[1]}{found[at[2]]:.0f} s" if at[2] in found else at[0], text)
         if told != text:
-            page.write_text(told, encoding="utf-8")
+            files.write(page.parent, {page.name: told}, force=True)
 
 
 if __name__ == "__main__":

@@ -229,7 +229,7 @@ def generate_charts(
     names = (*chosen.shared(), *chosen.index(()), *modules)
     files.refuse(folder, dict.fromkeys(names, "") | entry, force)  # before the long work
     built = build(wanted, chosen, progress, processes)
-    package = _indexed(built, chosen, wanted, catalogue.charts_in(folder, chosen))
+    package = indexed(built, chosen, wanted, catalogue.charts_in(folder, chosen))
     files.write(folder, package.texts, force, entry)
     return package
 
@@ -258,11 +258,11 @@ def check_charts(
     above = ((c, table) for c in further if c.order > cap for table in chosen.tables)
     unmade = {chosen.file(c.name, table): f"order {c.order} {reason}" for c, table in above}
     made = [*wanted.values(), *(chart for chart in further if chart.order <= cap)]
-    package = _indexed(print_package(made, chosen, progress), chosen, made, further)
+    package = indexed(print_package(made, chosen, progress), chosen, made, further)
     return list(files.compare(folder, package.texts, unmade))
 
 
-def _indexed(package: Package, target: Target, *charts: Iterable[Chart]) -> Package:
+def indexed(package: Package, target: Target, *charts: Iterable[Chart]) -> Package:
     """Add the files that list the charts of a folder, those written and those there before."""
     names = {chart.name for group in charts for chart in group}
     return replace(package, shared={**package.shared, **index_texts(target, names)})

@@ -18,7 +18,7 @@ from .trees import PATTERNS, Declined, Different, Tree, Trees, same
 from .words import known
 
 STACK, STACK_SIZE, BACK = 0x7FFF_FFFF_0000, 1 << 20, 0x7FFF_F000_0000
-BLOCKS = 300_000  # largest number of blocks that a call executes
+BLOCKS = 10_000  # largest number of blocks that a call executes
 RED_ZONE = 128  # bytes below the stack of x86-64 that no signal changes
 LIBRARY = {"tan": 1, "atan2": 2, "expm1": 1, "log1p": 1, "sqrt": 1, "fabs": 1}
 """Functions of math.h with the number of their arguments; of these, only sqrt and fabs are known."""

@@ -33,7 +33,8 @@ NUMPY = TARGETS["numpy"]
 
 @pytest.fixture(scope="module")
 def package():
-    return road.build([Cayley(3), Cayley(4)], unvalidated(NUMPY))
+    charts = Cayley(3), Cayley(4)
+    return road.indexed(road.build(charts, unvalidated(NUMPY)), NUMPY, charts)
 
 
 GEOMETRY = "_geometry.py"
@@ -230,7 +231,7 @@ def test_module_with_header_of_another_target_is_foreign(package, tmp_path: Path
     path.write_text(text.replace("-n 4 --target numpy", "-n 4 --target numba"))
     assert path.read_text() != text
     found = check_charts(tmp_path, [Cayley(3)], "numpy")
-    assert [(d.path.name, d.kind) for d in found] == 2 * [("cayley4.py", "foreign")]
+    assert [d.path.name for d in found if d.kind == "foreign"] == 2 * ["cayley4.py"]
 
 
 def test_default_folder_exists_only_in_a_checkout(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
