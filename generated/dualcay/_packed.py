@@ -210,11 +210,11 @@ class Packing:
         for row, number in enumerate(numbers.values(), starts[1]):
             memory["numbers"][row] = number
 
+        def table(block: int, row: int, count: int) -> Array:
+            return memory[self.memories[block]][starts[block] + row : starts[block] + row + count]
+
         def rows(operand: Operand) -> Array:
-            if not isinstance(operand, tuple):
-                return numbers[operand]
-            block, row, count = operand
-            return memory[self.memories[block]][starts[block] + row : starts[block] + row + count].reshape(-1)
+            return table(*operand).reshape(-1) if isinstance(operand, tuple) else numbers[operand]
 
         def copies(places: Sequence[Operand], source: str, out: Array) -> Callable[[], Any]:
             index = [starts[place[0]] + place[1] for place in places if isinstance(place, tuple)]
@@ -224,11 +224,11 @@ class Packing:
         for function, operands, place in self.steps:
             if function is None:
                 source = self.memories[place[0]].removeprefix(COPIED)
-                made.append(copies(operands, source, rows(place).reshape(-1, cells)))
+                made.append(copies(operands, source, table(*place)))
             elif function in (np.putmask, np.copyto):
                 made.append(partial(function, rows(place), *map(rows, operands)))
             else:
                 made.append(partial(function, *map(rows, operands), rows(place)))
         result = np.empty((len(of.outputs), cells), of.dtype)
         made.append(copies([self._original(entry) for entry in of.outputs], "numbers", result))
-        return rows(self.given).reshape(-1, cells), result, made
+        return table(*self.given), result, made

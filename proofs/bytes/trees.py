@@ -218,20 +218,19 @@ class Trees:
 
     def lift(self, function: Callable[..., Any], *values: Any) -> Any:
         """Return the value of a function, taken on every branch of the choices among its operands."""
-        pair = None
-        for each in values:
-            if isinstance(each, Tree) and each.kind == "choice" and (pair is None or each.parts[0].rank < pair.rank):
-                pair = each.parts[0]
-        if pair is None:
-            return function(*values)
-        known, made = dict[tuple[Any, ...], Any](), []
-        for place in range(1, 5):
-            given = tuple([v.parts[place] if isinstance(v, Tree) and v.kind == "choice" and v.parts[0] is pair else v
-                           for v in values])  # fmt: skip
-            if given not in known:
-                known[given] = self.lift(function, *given)
-            made.append(known[given])
-        return self._choice(pair, made)
+        done = dict[tuple[Any, ...], Any]()  # branches are shared, so each is taken once
+
+        def taken(values: tuple[Any, ...]) -> Any:
+            if values not in done:
+                chosen = [each for each in values if isinstance(each, Tree) and each.kind == "choice"]
+                pair = min((each.parts[0] for each in chosen), key=lambda each: each.rank, default=None)
+                done[values] = function(*values) if pair is None else self._choice(pair, [
+                    taken(tuple(v.parts[place] if v in chosen and v.parts[0] is pair else v for v in values))
+                    for place in range(1, 5)
+                ])  # fmt: skip
+            return done[values]
+
+        return taken(values)
 
     def select(self, truth: Any, one: Any, other: Any) -> Any:
         """Return the one value or the other by a truth, or unset if that is not known."""

@@ -159,7 +159,7 @@ def test_wrong_arguments_are_refused_before_computing(
 
 
 def test_missing_dask_is_an_error_that_says_how_to_install_it() -> None:
-    code = "import sys; sys.modules['dask'] = None; import dualcay; print(len(dir(dualcay))); import dualcay.dask"
+    code = "import sys; sys.modules['dask'] = None; import dualcay; print(len(dir(dualcay))); dualcay.dask.apply(None)"
     path = str(Path(cayley3.__file__).parents[1])
     run = [sys.executable, "-c", code]
     done = subprocess.run(run, env={**os.environ, "PYTHONPATH": path}, capture_output=True, text=True)
