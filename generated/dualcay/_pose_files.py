@@ -206,9 +206,9 @@ def lines(file: File) -> Iterator[tuple[str, list[str]]]:
     with _opened(file, "r") as stream:
         name = getattr(stream, "name", "file")
         for number, line in enumerate(stream, 1):
-            fields = line.partition("#")[0].replace(",", " ").split()
-            if fields:
-                yield f"{name}:{number}", fields
+            line = line.partition("#")[0].strip()
+            if line:  # an empty field between commas is a field
+                yield f"{name}:{number}", [field.strip() for field in line.split(",")] if "," in line else line.split()
 
 
 def table(file: File, layout: str) -> tuple[list[str], Array]:
@@ -234,9 +234,9 @@ def numbers(place: str, fields: Sequence[str], layout: str) -> list[float]:
 
 def whole(place: str, name: str, text: str) -> int:
     try:
-        return int(text)
-    except ValueError:
-        raise ValueError(f"{place}: {name} must be a whole number, got {text!r}") from None
+        return int(np.int64(int(text)))
+    except (ValueError, OverflowError):
+        raise ValueError(f"{place}: {name} must be a whole number of 64 bits, got {text!r}") from None
 
 
 def vectors(module: Any, places: Sequence[str], xyz: Array, xyzw: Array, check: bool | float) -> Array:

@@ -171,7 +171,7 @@ def from_ros_message(module: Any, message: Any, branch: int = 0, *, check: bool 
 
 
 def require_poses(module: Any) -> None:
-    if len(module.identity()) != 6:
+    if not hasattr(module, "identity") or len(module.identity()) != 6:
         raise TypeError(f"module must be a kernel module of poses, as cayley2 is, got {module!r}")
 
 

@@ -44,6 +44,7 @@ class Program:
         self.blocks: dict[int, Any] = {}
         self.instructions: dict[int, frozenset[int]] = {}
         self.joins: dict[int, int] = {}
+        self.sections: dict[int, bytes] = {}
 
     @property
     def architecture(self) -> str:
@@ -54,6 +55,15 @@ class Program:
         """Addresses of the functions that the file defines."""
         return {each.name: each.rebased_addr for each in self.file.symbols
                 if each.is_function and not each.is_import and each.size}  # fmt: skip
+
+    def read(self, address: int, size: int) -> bytes:
+        """Return bytes of a section, each read once: cle searches all parts of a file."""
+        section = self.file.find_section_containing(address)
+        if section is None:
+            return bytes(self.memory.load(address, size))
+        if section.vaddr not in self.sections:
+            self.sections[section.vaddr] = bytes(self.memory.load(section.vaddr, section.memsize))
+        return self.sections[section.vaddr][address - section.vaddr : address - section.vaddr + size]
 
     def inside(self, address: int) -> bool:
         """Return whether an address holds code of the file."""
@@ -69,7 +79,7 @@ class Program:
         section = self.file.find_section_containing(address)
         if section is None or (section.is_writable and not section.name.startswith(".got")):
             return None
-        return int.from_bytes(self.memory.load(address, width), "little")
+        return int.from_bytes(self.read(address, width), "little")
 
     def block(self, address: int) -> Any:
         """Return the block of instructions from an address up to the next jump."""
@@ -81,7 +91,7 @@ class Program:
             if made.jumpkind == "Ijk_NoDecode":  # the last instruction lies across the boundary
                 made = self._lifted(address, longest + 16, max(1, made.instructions))
             if made.jumpkind == "Ijk_NoDecode":
-                raise Declined(f"no instruction that is known: {self.memory.load(address, 8).hex()}")
+                raise Declined(f"no instruction that is known: {self.read(address, 8).hex()}")
             if self.architecture == "AARCH64":
                 self._refuse_fused(address, made.size)
             self.blocks[address], self.instructions[address] = made, frozenset(made.instruction_addresses)
@@ -89,14 +99,14 @@ class Program:
 
     def _refuse_fused(self, address: int, size: int) -> None:
         for place in range(address, address + size, 4):
-            word = int.from_bytes(self.memory.load(place, 4), "little")
+            word = int.from_bytes(self.read(place, 4), "little")
             if any(word & mask == value for mask, value in FUSED):
                 raise Different(f"{place:#x}: a fused multiply-add rounds once where the text rounds twice")
             if any(word & mask == value for mask, value in EXTENDED):
                 raise Declined(f"{place:#x}: fmulx, whose intermediate code is not exact")
 
     def _lifted(self, address: int, size: int, count: int | None = None) -> Any:
-        code = self.memory.load(address, size)
+        code = self.read(address, size)
         return self.lift(code, address, self.file.arch, max_bytes=size, max_inst=count, opt_level=1)
 
     def follow(self, address: int) -> list[int]:

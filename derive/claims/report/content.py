@@ -5,12 +5,15 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from fractions import Fraction
+from itertools import zip_longest
 from shlex import quote
 from typing import Protocol
 
 from ... import about
 from ..equation import Entry, Paper
-from ..language.printed import rate_depth
+from ..language.printed import latex, rate_depth
+from ..language.values import coefficients
 from ..numbers.kinds import KINDS
 from ..result import Counterexample, Result, Status
 from ..sheet import Problem
@@ -208,14 +211,16 @@ TWICE = ", rates "
 
 def example(found: Counterexample, entry: Entry | None = None) -> tuple[str, ...]:
     """Return a counterexample as lines: values of the symbols, then the first number that differs between the sides."""
-    lines = tuple(f"{plain(name)} = {_numbers(parts, _second(entry, parts))}" for name, parts in found.letters.items())
+    lines = tuple(f"{plain(name)} = {_numbers(parts, _second(entry, name, parts))}"
+                  for name, parts in found.letters.items())  # fmt: skip
     if len(found.sides) != 2 or not all(found.sides):
         return *lines, f"{found.point}: the statement is false"
     left, right = found.sides
     left, right = list(map(short, left)), list(map(short, right))
-    i = next((i for i, (a, b) in enumerate(zip(left, right, strict=False)) if a[:SHOWN_DIGITS] != b[:SHOWN_DIGITS]), 0)
-    which = f"number {i + 1} of {len(left)}: " if len(left) > 1 else ""
-    return *lines, f"{which}left {left[i]}, right {right[i]}"
+    rows = list(zip_longest(left, right, fillvalue="0"))  # a side without dual part or rates has zeros there
+    i = next((i for i, (a, b) in enumerate(rows) if a[:SHOWN_DIGITS] != b[:SHOWN_DIGITS]), 0)
+    which = f"number {i + 1} of {len(rows)}: " if len(rows) > 1 else ""
+    return *lines, f"{which}left {rows[i][0]}, right {rows[i][1]}"
 
 
 def short(number: str) -> str:
@@ -227,14 +232,17 @@ def short(number: str) -> str:
     return mantissa[: SHOWN_DIGITS + 2] + e + exponent
 
 
-def _second(entry: Entry | None, parts: list[str]) -> str:
-    """Return what the second half of a symbol's numbers is: the dual part, the rate, or nothing."""
+def _second(entry: Entry | None, name: str, parts: list[str]) -> str:
+    """Return what the second half of a letter's numbers is: the dual part, the rate, or nothing."""
     if entry is None or entry.written is None:
         return " + ε " if len(parts) in (2, 6, 8, 18) else ""
-    quantities = {symbol.quantity.name for symbol in entry.free(entry.readings[0].statement)}
-    if any(KINDS[name].dual for name in quantities & KINDS.keys()):
+    statement = entry.readings[0].statement
+    letter = next(symbol for symbol in entry.free(statement) if name in (symbol.name, latex(symbol)))
+    kind, depth = KINDS.get(letter.quantity.name), rate_depth(statement)
+    if kind and kind.dual:
         return " + ε "
-    depth = rate_depth(entry.readings[0].statement)
+    if kind and len(parts) == len(list(coefficients(kind.build((Fraction(1),) * kind.size)))):
+        return ""
     return ("", ", rate ", TWICE)[depth] if depth < 3 else ""
 
 
@@ -246,7 +254,10 @@ def _numbers(parts: list[str], second: str) -> str:
         pieces = shown[:quarter], shown[quarter:half], shown[half + quarter :]
         value, rate, second_rate = map(_tuple, pieces)
         return f"{value}, rate {rate}, second rate {second_rate}"
-    return f"{_tuple(shown[:half])}{second}{_tuple(shown[half:])}" if second and half else _tuple(shown)
+    if not second or not half:
+        return _tuple(shown)
+    first, last = _tuple(shown[:half]), _tuple(shown[half:])
+    return f"{first} - ε {last[1:]}" if second == " + ε " and last.startswith("-") else f"{first}{second}{last}"
 
 
 def _tuple(parts: list[str]) -> str:
