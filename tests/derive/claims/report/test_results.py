@@ -8,6 +8,7 @@ from types import SimpleNamespace
 
 import pytest
 
+from derive import check
 from derive.claims.equation import Entry, Reading, equation
 from derive.claims.language.operator_table import Re, equal, nonzero
 from derive.claims.language.printed import Symbol, latex
@@ -101,7 +102,7 @@ def test_lines_for_found_and_stated_domains() -> None:
 @pytest.mark.parametrize(
     ("symbols", "sides", "lines"),
     [({"a": ["0.5", "-0.25"], r"\alpha": ["2"]}, (["0.5", "3"], ["0.5", "4"]),
-      ("a = 0.5 + ε -0.25", "α = 2", "number 2 of 2: left 3, right 4")),
+      ("a = 0.5 - ε 0.25", "α = 2", "number 2 of 2: left 3, right 4")),
      ({"v": list("123456")}, (["1"], ["2"]), ("v = (1, 2, 3) + ε (4, 5, 6)", "left 1, right 2")),
      ({"q": list("12345678")}, (), ("q = (1, 2, 3, 4) + ε (5, 6, 7, 8)", "the point: the statement is false")),
      ({"v": list("123")}, (["1"], []), ("v = (1, 2, 3)", "the point: the statement is false")),
@@ -111,6 +112,17 @@ def test_lines_for_found_and_stated_domains() -> None:
 )  # fmt: skip
 def test_counterexample_in_lines(symbols, sides, lines) -> None:
     assert example(Counterexample("the point", symbols, sides)) == lines
+
+
+def test_a_letter_has_rates_or_a_dual_part_only_if_its_kind_and_the_claim_do() -> None:
+    def lines(claim: str, **letters: str) -> tuple[str, ...]:
+        found = check(claim, **letters)
+        assert found.counterexample is not None
+        return example(found.counterexample, found.equation)
+
+    assert "omega = (2, -2, 3)" in lines("rate(g) == cross(g, omega)", g="vector", omega="vector")
+    assert "xi = (2, -1, 1, 1, -1, -2)" in lines("rate(T) == T*exp(xi)", T="pose", xi="twist")
+    assert lines("a*v == v", a="dual number", v="vector")[1:] == ("v = (2, -2, 3)", "number 4 of 6: left -4, right 0")
 
 
 # ---- tables ----------------------------------------------------------------------------------------------------------
@@ -129,7 +141,7 @@ def test_erratum_has_three_rows() -> None:
     assert tuple(first) == ("(7)\ntitle", "a = b\nfor a ≠ 0, as stated", "a = -b")
     assert tuple(second) == ("how it is known", "exact", "")
     assert tuple(third) == (
-        "where they differ", "a = 0.5 + ε -0.25\nα = 2\nnumber 2 of 2: left 3, right 4",
+        "where they differ", "a = 0.5 - ε 0.25\nα = 2\nnumber 2 of 2: left 3, right 4",
         "in full: dualcay verify --paper condurache-popa-2023 --eq 7 --format json",
     )  # fmt: skip
 
