@@ -113,7 +113,7 @@ class Proof:
             if not self.equality.equal(wanted, found):
                 if part := unknown(found):
                     raise Declined(f"{place}{where}: {part.text()}")
-                one, other = (each.text() for each in difference(wanted, found))
+                one, other = (each.text(4) for each in difference(wanted, found))
                 reason = f"{place}{where}: {one} in the text, {other} in machine code"
                 if wanted.pairs | found.pairs and self.equality.alike_at_samples(wanted, found):
                     raise Declined(f"equal at samples, not proved: {reason}")
