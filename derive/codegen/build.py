@@ -90,7 +90,7 @@ def build(charts: Sequence[Chart], target: Target, progress: Progress = silent, 
 def _told(step: Step, name: str, line: str) -> None:
     """Report a step; of a chart that was not asked for, say why it is built."""
     what, colon, stage = line.partition(": ")
-    step(f"{what} (checks the geometry that all charts share){colon}{stage}" if what.startswith(name) else line)
+    step(f"{what} (checks the geometry that all charts share){colon}{stage}" if what == name else line)
 
 
 def print_package(

@@ -75,11 +75,12 @@ class Program:
         return found.name if found else ""
 
     def constant(self, address: int, width: int) -> int | None:
-        """Return the constant at an address, or None; data that a program may change are none."""
+        """Return the constant at an address, or None if it does not lie in data that no program changes."""
         section = self.file.find_section_containing(address)
         if section is None or (section.is_writable and not section.name.startswith(".got")):
             return None
-        return int.from_bytes(self.read(address, width), "little")
+        found = self.read(address, width)
+        return int.from_bytes(found, "little") if len(found) == width else None
 
     def block(self, address: int) -> Any:
         """Return the block of instructions from an address up to the next jump."""

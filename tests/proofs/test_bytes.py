@@ -184,6 +184,8 @@ BY_HAND = [
     ("aligned load", X86, TWO, "movapd (%rdi),%xmm0; movupd %xmm0,(%rsi)", DIFFERENT),
     ("aligned store", X86, TWO, "movupd (%rdi),%xmm0; movapd %xmm0,(%rsi)", DIFFERENT),
     ("read beyond the argument", X86, ONE, f"movupd (%rdi),%xmm0; {STORE}", DIFFERENT),
+    ("constant that ends early", X86, "(double b[2]) { b[0] = 1; b[1] = 0; }",
+     "movupd 9f(%rip),%xmm0; movupd %xmm0,(%rdi); .section .rodata; 9: .double 1; .text", DIFFERENT),
     ("half a result", X86, ONE, "mov (%rdi),%eax; mov %eax,(%rsi)", DECLINED),
     ("below the red zone", X86, ONE, f"{LOAD}; movsd %xmm0,-200(%rsp); movsd -200(%rsp),%xmm0; {STORE}", DIFFERENT),
     ("below the stack", ARM, ONE, "ldr d0,[x0]; str d0,[sp,-16]; ldr d0,[sp,-16]; str d0,[x1]", DIFFERENT),

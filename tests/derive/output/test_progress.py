@@ -12,6 +12,7 @@ import pytest
 from rich.progress import Progress, TaskID
 
 import derive
+from derive.codegen import build
 from derive.output import shown
 from derive.output.shown import WIDTH, Column, Grid, columns
 
@@ -99,6 +100,13 @@ def test_generate_has_a_bar(
     assert "━" in terminal.getvalue()
 
 
+def test_progress_explains_the_chart_of_the_geometry_and_no_other() -> None:
+    lines: list[str] = []
+    for name in ("cayley3", "cayley30"):
+        build._told(lines.append, "cayley3", f"{name}: printing")
+    assert lines == ["cayley3 (checks the geometry that all charts share): printing", "cayley30: printing"]
+
+
 def test_own_function_of_progress_replaces_the_bar(monkeypatch: pytest.MonkeyPatch) -> None:
     terminal = on_terminal(monkeypatch, 0.0)
     seen: list[tuple[int, int]] = []
@@ -122,6 +130,7 @@ def test_pipe_has_no_bar(monkeypatch: pytest.MonkeyPatch, capsys: pytest.Capture
 
 
 CELL = """
+from derive.codegen import build
 from derive.output import shown
 import threading
 shown.BAR_AFTER = 0.1
