@@ -1,7 +1,8 @@
 """Machine code executed on symbols: integers and addresses are known, floats are trees of rounded operations.
 
-Where a jump depends on floats, both sides are executed up to the block where they meet, and their values become
-choices. The machine may read its arguments, its stack and constants; it may write its stack and its results.
+Where a jump depends on floats, both sides are executed; states that come to the same block are joined before it, and
+their values become choices. The machine may read its arguments, its stack and constants; it may write its stack and its
+results.
 """
 
 from __future__ import annotations
@@ -50,13 +51,15 @@ CONVENTIONS = {
 
 @dataclass
 class State:
-    """Registers by their place and memory."""
+    """Registers by their place and memory, with the truth that the execution comes to this state."""
 
     registers: Memory
     memory: Memory
+    reached: Any = True
+    target: Any = None  # address to which a function returns
 
     def copy(self) -> State:
-        return State(self.registers.copy(), self.memory.copy())
+        return State(self.registers.copy(), self.memory.copy(), self.reached, self.target)
 
 
 @dataclass
@@ -115,45 +118,57 @@ class Machine:
             self._set(state, self.convention.link, back)
         elif not pushed:
             state.memory.put(top, back, 8)
-        state, target = self._run(state, start, EXIT)
+        reached, state.reached = state.reached, True
+        state = self._run(state, start)
         after = top if self.convention.link else top + 8
-        if not same(target, back) or self.get(state, self.convention.stack) != after:
+        if not same(state.target, back) or self.get(state, self.convention.stack) != after:
             raise Different("the return address or the stack is not restored")
+        state.reached, state.target = reached, None
         return state
 
-    def _run(self, state: State, address: int, stop: int) -> tuple[State, Any]:
-        """Execute blocks up to one, or until the function returns; return the address where it goes on."""
-        while address != stop:
-            self.steps += 1
-            if self.steps > BLOCKS:
-                raise Declined(f"more than {BLOCKS} blocks")
-            block = self.program.block(address)
-            self.executed |= self.program.instructions[address]
-            sides, target = self._block(state, block)
-            if sides is not None:
-                join = self.program.join(address)
-                (one, back), (two, other) = self._run(*sides[1:], join), self._run(state, known(target), join)
-                state, target = self._merged(sides[0], one, two), self._either(sides[0], back, other)
-                if join == EXIT:
-                    return state, target
-            elif block.jumpkind == "Ijk_Ret":
-                return state, target
-            elif library := self.program.library(known(target)):
-                self._library(state, library)
-                back = self._back(state)
-                if block.jumpkind != "Ijk_Call":
-                    return state, back
-                target = back
-            elif target not in self.program.targets(address):
-                raise Declined(f"a jump to an address that is computed, at {address:#x}")
-            elif block.jumpkind == "Ijk_Call":
-                back = address + block.size
-                state = self._function(state, target, back, pushed=True)
-                target = back
-            elif block.jumpkind != "Ijk_Boring":
-                raise Declined(f"a jump of the kind {block.jumpkind}")
-            address = known(target)
-        return state, address
+    def _run(self, state: State, start: int) -> State:
+        """Execute the blocks of a function in the order of their graph; return the state at its end."""
+        order, end = self.program.order(start), (BLOCKS, EXIT)
+        waiting = {(0, start): state}  # by the number of jumps back and the next block
+        while list(waiting) != [end]:
+            turns, address = place = min(waiting, key=lambda each: (each[0], order[each[1]]))
+            for state, after in self._after(waiting.pop(place), address):
+                place = end if after == EXIT else (turns + (order[after] <= order[address]), after)
+                waiting[place] = self._joined(state, waiting[place]) if place in waiting else state
+        return waiting[end]
+
+    def _after(self, state: State, address: int) -> list[tuple[State, int]]:
+        """Execute a block; return the states after it with the blocks where they go on."""
+        self.steps += 1
+        if self.steps > BLOCKS:
+            raise Declined(f"more than {BLOCKS} blocks")
+        block = self.program.block(address)
+        self.executed |= self.program.instructions[address]
+        side, after = self._block(state, block)
+        if side is not None:
+            truth, other, target = side
+            other.reached = self._either(state.reached, truth, False)
+            state.reached = self._either(truth, False, state.reached)
+            return [(other, target), (state, known(after))]
+        if block.jumpkind == "Ijk_Ret":
+            state.target = after
+            return [(state, EXIT)]
+        target = known(after)
+        if library := self.program.library(target):
+            self._library(state, library)
+            back = self._back(state)
+            if block.jumpkind == "Ijk_Call":
+                return [(state, known(back))]
+            state.target = back
+            return [(state, EXIT)]
+        if target not in self.program.targets(address):
+            raise Declined(f"a jump to an address that is computed, at {address:#x}")
+        if block.jumpkind == "Ijk_Call":
+            back = address + block.size
+            return [(self._function(state, target, back, pushed=True), back)]
+        if block.jumpkind != "Ijk_Boring":
+            raise Declined(f"a jump of the kind {block.jumpkind}")
+        return [(state, target)]
 
     def _back(self, state: State) -> Any:
         """Return the return address as a function does at its end."""
@@ -187,22 +202,24 @@ class Machine:
 
     # --- sides of a jump ----------------------------------------------------------------------------------------------
 
-    def _either(self, truth: Tree, a: Any, b: Any) -> Any:
+    def _either(self, truth: Any, a: Any, b: Any) -> Any:
         if a is b or same(a, b):
             return a
         if any(isinstance(word, Tree) and word.kind not in PATTERNS for word in (a, b)):
             a, b = self.trees.number(a), self.trees.number(b)
-        return self.trees.lift(lambda each: self.trees.select(each, a, b), truth)
+        return self.trees.lift(self.trees.select, truth, a, b)
 
-    def _merged(self, truth: Tree, one: State, two: State) -> State:
-        """Return the state after both sides of a jump."""
+    def _joined(self, one: State, two: State) -> State:
+        """Return the state where one or the other comes to a block."""
         if not same(self.get(one, self.convention.stack), self.get(two, self.convention.stack)):
             raise Declined("the sides of a jump leave the stack at different depths")
-        self._merge(truth, one.registers, two.registers)
-        self._merge(truth, one.memory, two.memory)
+        self._merge(one.reached, one.registers, two.registers)
+        self._merge(one.reached, one.memory, two.memory)
+        one.target = self._either(one.reached, one.target, two.target)
+        one.reached = self._either(one.reached, True, two.reached)
         return one
 
-    def _merge(self, truth: Tree, one: Memory, two: Memory) -> None:
+    def _merge(self, truth: Any, one: Memory, two: Memory) -> None:
         changed = {address for address, word in two.items() if one[address] is not word}
         for address in sorted(changed | one.keys() - two.keys()):
             one[address] = self._either(truth, one[address], two[address])
@@ -242,7 +259,7 @@ class Machine:
 
     # --- blocks -------------------------------------------------------------------------------------------------------
 
-    def _block(self, state: State, block: Any) -> tuple[tuple[Tree, State, int] | None, Any]:
+    def _block(self, state: State, block: Any) -> tuple[tuple[Any, State, int] | None, Any]:
         """Execute a block; return the other side of a jump that depends on numbers, and the address after the block."""
         if block.addr not in self.blocks:
             statements = [self.translation.statement(each, block) for each in block.statements]

@@ -43,7 +43,7 @@ class Program:
         self.lift = pyvex.lift
         self.blocks: dict[int, Any] = {}
         self.instructions: dict[int, frozenset[int]] = {}
-        self.joins: dict[int, int] = {}
+        self.orders: dict[int, dict[int, int]] = {}
         self.sections: dict[int, bytes] = {}
 
     @property
@@ -149,20 +149,16 @@ class Program:
         block = self.block(address)
         return block.instructions == 1 and all(each.tag in IDLE for each in block.statements)
 
-    def join(self, address: int) -> int:
-        """Return the first block that every way from a block passes: its immediate postdominator."""
-        if address not in self.joins:
-            graph, waiting = dict[int, list[int]](), [address]
+    def order(self, start: int) -> dict[int, int]:
+        """Return the places of a function's blocks: each comes after those that lead to it, but for loops."""
+        if start not in self.orders:
+            done, seen, waiting = list[int](), {EXIT}, [(start, False)]
             while waiting:
-                if (each := waiting.pop()) not in graph and each != EXIT:
-                    waiting += graph.setdefault(each, self.follow(each))
-            passed = {each: {EXIT, *graph} for each in graph} | {EXIT: {EXIT}}  # by every way to the exit
-            changed = True
-            while changed:
-                changed = False
-                for each in reversed(graph):
-                    new = {each}.union(set[int].intersection(*(passed[after] for after in graph[each])))
-                    changed, passed[each] = changed or new != passed[each], new
-            for each in graph:
-                self.joins[each] = max(passed[each] - {each}, key=lambda other: len(passed[other]))
-        return self.joins[address]
+                each, left = waiting.pop()
+                if left:
+                    done.append(each)
+                elif each not in seen:
+                    seen.add(each)
+                    waiting += [(each, True), *((after, False) for after in self.follow(each))]
+            self.orders[start] = {each: place for place, each in enumerate([*reversed(done), EXIT])}
+        return self.orders[start]

@@ -35,6 +35,7 @@ class Proof:
 
     source: Source
     program: Program
+    equality: Equality
 
     def __post_init__(self) -> None:
         self.machine = Machine(self.program, self.source.trees)
@@ -49,7 +50,7 @@ class Proof:
 
     def verdict(self, name: str, function: Signature, rows: bool) -> Verdict:
         """Return the verdict on a function, or on its form for rows."""
-        self.equality = Equality(self.source.trees)
+        self.equality.rebuilt = 0
         try:
             if name not in self.program.functions:
                 raise Declined("it is not in the machine code")

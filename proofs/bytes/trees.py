@@ -3,7 +3,7 @@
 Two programs whose trees are one object compute the same bits. Trees are brought to a normal form by identities that
 hold for every float, infinities, signed zeros and NaN included; only sign and payload of a NaN are left open:
 a + b = b + a, a b = b a, a - b = a + (-b), (-a) b = -(a b), (-a) / b = -(a / b), 2 a = a + a, 1 a = a, a + (-0) = a,
-(-a) + (-a) = -(a + a), c - (a + b) = c + ((-a) + (-b)) for a constant c that is not 0, a / 2^k = a 2^-k, |-a| = |a|,
+(-a) + (-b) = -(a + b) for equal numbers and for sums of squares, c - (a + b) = c + ((-a) + (-b)) for a constant c that is not 0, a / 2^k = a 2^-k, |-a| = |a|,
 |a| = a for sums of squares, and values of constants.
 """
 
@@ -136,8 +136,8 @@ class Trees:
             if self.value(one) and other.kind == "neg" and other.parts[0].kind == "add":  # the sign of a zero is lost
                 x, y = map(self.negated, other.parts[0].parts)
                 return self._folded(np.add, a, b) or self._ordered("add", one, self.add(x, y))
-        if a is b and a.kind == "neg":
-            return self.negated(self.add(a.parts[0], a.parts[0]))
+        if a.kind == b.kind == "neg" and (a is b or (unsigned(a.parts[0]) and unsigned(b.parts[0]))):
+            return self.negated(self.add(a.parts[0], b.parts[0]))
         return self._folded(np.add, a, b) or self._ordered("add", a, b)
 
     def sub(self, a: Tree, b: Tree) -> Tree:
@@ -270,7 +270,7 @@ class Trees:
 
 def unsigned(a: Tree) -> bool:
     """Return whether a number has no minus sign whatever is given, as a square and a sum of such numbers."""
-    if a.kind in ("add", "mul", "div"):
+    if a.kind in ("add", "mul", "div", "sqrt"):
         return (a.kind == "mul" and a.parts[0] is a.parts[1]) or all(map(unsigned, a.parts))
     return a.kind in ("abs", "const")
 
