@@ -92,6 +92,7 @@ for given in ("--claim", "1 == 2"), ("--eq", "112"):
 def test_claims_load_no_charts_theorems_and_papers_and_one_equation_no_code_generator() -> None:
     done = in_a_process(code=LOADED, COLUMNS="120")
     assert "where they differ" in done.stdout
+    assert "\nclaim: false\n" in done.stdout
     assert "refuted at point 1 of short numbers" in done.stdout
     assert "proofs" not in done.stdout  # no theorem concerns this equation
     claim, equation = (ast.literal_eval(line) for line in done.stdout.splitlines() if line.startswith("{"))
