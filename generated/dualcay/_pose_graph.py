@@ -5,7 +5,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
@@ -90,7 +90,7 @@ def read_g2o(module: Any, file: File, *, convention: str = "g2o", check: bool | 
     Raises
     ------
     ValueError
-        If a line is of another kind, or its fields are wrong, or a pose is missing. The message names file and line.
+        If a line is of another kind, its fields are wrong, or a pose is missing. The message names file and line.
 
     Examples
     --------
@@ -115,7 +115,7 @@ def read_g2o(module: Any, file: File, *, convention: str = "g2o", check: bool | 
     information = np.zeros((len(measured), 6, 6))
     for row, column in (TRIANGLE, TRIANGLE[::-1]):
         information[:, row, column] = listed
-    _require_positive(information, [line.place for line in measured])
+    _require_positive(information, lambda edge, row: f"{measured[edge].place}: i{row + 1}{row + 1}")
     edges = np.array([_rows(rows, line) for line in measured], int).reshape(-1, 2)
     fixed = np.array([row for line in found[FIX] for row in _rows(rows, line)], int)
     return PoseGraph(np.array([*rows], int), v, edges, motions, from_linear_angular_matrix(information) * unit, fixed)
@@ -134,7 +134,7 @@ def write_g2o(module: Any, file: File, graph: PoseGraph, *, convention: str = "g
     Raises
     ------
     ValueError
-        If a shape is wrong, or a number is not finite. Nothing is written then.
+        If a shape is wrong, a number is not finite, or a diagonal of information is negative. Nothing is written then.
 
     Examples
     --------
@@ -152,10 +152,9 @@ def write_g2o(module: Any, file: File, graph: PoseGraph, *, convention: str = "g
     unit = UNITS[require_one_of("convention", convention, tuple(UNITS))]
     ids, count = np.asarray(graph.ids), len(graph.edges)
     poses, motions = (position_quaternions(module, name, getattr(graph, name)) for name in ("v", "motions"))
-    information = finite("information", graph.information, (count, 6, 6), rows=True) / unit
-    listed = to_linear_angular_matrix(information)
-    _require_positive(listed, [f"row {row} of edges" for row in range(count)])
-    triangles = listed[:, TRIANGLE[0], TRIANGLE[1]].tolist()
+    information = finite("information", graph.information, (count, 6, 6), rows=True)
+    _require_positive(information, lambda edge, row: f"information[{edge}, {row}, {row}]")
+    triangles = to_linear_angular_matrix(information / unit)[:, TRIANGLE[0], TRIANGLE[1]].tolist()
     ends = ids[np.asarray(graph.edges, int).reshape(-1, 2)].tolist()
     write(file, [
         *((VERTEX, name, *pose) for name, pose in zip(ids.tolist(), poses.tolist(), strict=True)),
@@ -178,12 +177,11 @@ def _parsed(file: File) -> dict[str, list[Line]]:
     return found
 
 
-def _require_positive(information: Array, places: Sequence[str]) -> None:
-    """Raise an error that names the place of information whose diagonal has a negative number."""
+def _require_positive(information: Array, name: Callable[[int, int], str]) -> None:
+    """Raise an error that names an edge and a row if the diagonal of its information has a negative number."""
     diagonal = np.diagonal(information, axis1=-2, axis2=-1)
-    for edge, entry in np.argwhere(diagonal < 0)[:1]:
-        given = f"i{entry + 1}{entry + 1} = {diagonal[edge, entry]:g}"
-        raise ValueError(f"{places[edge]}: information must have no negative number on its diagonal, got {given}")
+    for edge, row in np.argwhere(diagonal < 0)[:1]:
+        raise ValueError(f"{name(edge, row)} on the diagonal must not be negative, got {diagonal[edge, row]:g}")
 
 
 def _vectors(module: Any, found: list[Line], check: bool | float) -> tuple[Array, Array]:
