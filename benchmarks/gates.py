@@ -1,4 +1,4 @@
-"""Gates: the least ratios of others' times to ours, computed from the measured times; missed ones stand first."""
+"""Gates: the least ratios of others' times to ours, computed from the measured times; the page lists missed ones."""
 
 from __future__ import annotations
 
@@ -59,7 +59,7 @@ class Gate:
 
     def row(self) -> tuple[str, ...]:
         most = "" if self.largest >= self.least else f"; of a copy {times(self.largest)}"
-        return self.what, times(self.ratio), times(self.least), "met" if self.met else f"SHORT: {self.why}{most}"
+        return self.what, times(self.ratio), times(self.least), f"{self.why}{most}"
 
 
 def times(ratio: float) -> str:

@@ -94,10 +94,9 @@ def _against(theirs: Mapping[int, float], size: int, ours: float) -> str:
 
 def _gates(data: Data) -> str:
     every = gates.every(data)
-    short = sum(not gate.met for gate in every)
-    heads = ("ours against", "times faster", "gate", "")
-    listed = markdown("Gates", heads, [gate.row() for gate in every])
+    short = [gate.row() for gate in every if not gate.met]
+    listed = markdown("Gates", ("ours against", "times faster", "gate", "reason"), short)
     return (
-        f"{listed}\n{len(every) - short} gates are met, {short} are SHORT and stand first. A gate is the least ratio "
-        "of another's time to ours; `1/3 x` means that ours take three times as long.\n"
+        f"{listed}\n{len(every) - len(short)} gates are met, and the {len(short)} of the table are not. A gate is the "
+        "least ratio of another's time to ours; `1/3 x` means that ours take three times as long.\n"
     )

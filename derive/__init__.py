@@ -27,7 +27,7 @@ import importlib
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from .about import __version__
+from .about import INSTALL, __version__
 
 if TYPE_CHECKING:
     from .claims.run import check
@@ -75,7 +75,11 @@ if not TYPE_CHECKING:  # type checkers know all names by the imports above
     def __getattr__(name: str) -> object:
         if name not in _HOMES:
             raise AttributeError(f"module 'derive' has no attribute {name!r}")
-        return getattr(importlib.import_module(f"derive.{_HOMES[name]}"), name)
+        try:
+            return getattr(importlib.import_module(f"derive.{_HOMES[name]}"), name)
+        except ModuleNotFoundError as error:
+            message = f"derive.{name} needs {error.name}: install with  {INSTALL}"
+            raise ModuleNotFoundError(message, name=error.name) from None
 
 
 def __dir__() -> list[str]:

@@ -6,10 +6,9 @@ import importlib.util
 import io
 import sys
 
-from .about import __version__
+from .about import INSTALL, __version__
 
 NEEDED = ("click", "flint", "jinja2", "latex2mathml", "mpmath", "pcpp", "pycparser", "rich", "sympy")
-INSTALL = 'pip install ".[derive]"  in the folder of its source'
 INTERRUPTED = 130
 
 

@@ -10,6 +10,9 @@ from pathlib import Path
 __version__ = "0.1.0"
 """Version of the toolkit, and of the kernels it writes."""
 
+INSTALL = 'pip install ".[derive]"  in the folder of its source'
+"""Command that installs the libraries of the toolkit."""
+
 ORDERS = (1, 2, 3, 4, 5, 8)
 """Orders whose modules are committed."""
 

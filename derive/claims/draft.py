@@ -31,7 +31,7 @@ def draft(path: str | Path, letters: Mapping[str, str]) -> tuple[str, list[Probl
     known = spellings(plain)
     printed = ways((row["latex"] for row in tables["equation"]), known)
     only = {name: known[next(iter(way))][1] for name, way in printed.items() if len(way) == 1}
-    known = Spellings({way: found for way, found in known.items() if only.get(found[0]) == found[1]})
+    known = known.only(printed)
     scope = Reader(str(path)).scope(kinds, definitions, only)
     usual = {name: str(symbol.args[2]) for name, (symbol, _) in plain.letters.items()}
     own = {name: shown for name, shown in only.items() if usual.get(name, latex_of(name)) != shown}

@@ -7,7 +7,7 @@ or a function of a product without brackets.
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Iterable, Iterator
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from functools import cached_property
 from itertools import zip_longest
 
@@ -86,6 +86,14 @@ def _only_aligns(sign: str, before: str, after: str, later: str) -> bool:
 class Spellings(dict[tuple[str, ...], tuple[str, str]]):
     """Names with their LaTeX, by the signs that print them."""
 
+    left_out: Spellings  # names that are printed in several ways
+
+    def only(self, used: Mapping[str, set[tuple[str, ...]]]) -> Spellings:
+        """Return the names that are printed in one way, with that one."""
+        found = Spellings({way: row for way, row in self.items() if used.get(row[0]) == {way}})
+        found.left_out = Spellings({way: row for way, row in self.items() if len(used.get(row[0], ())) > 1})
+        return found
+
     @cached_property
     def sizes(self) -> dict[str, list[int]]:
         """Numbers of signs of the names that begin with a sign, the largest first."""
@@ -130,7 +138,7 @@ def ways(formulas: Iterable[str], known: Spellings) -> dict[str, set[tuple[str, 
             if way and not (before.startswith("\\") and before not in PLAIN):
                 found.setdefault(known[way][0], set()).add(way)
             at += len(way) or 1
-            before = given[at - 1]
+            before = "" if way else given[at - 1]  # a letter changes no letter after it
     return found
 
 
@@ -241,7 +249,8 @@ class _Reader:
     def is_matrix(self) -> bool:
         """Return whether the next factor is surely no part of a number."""
         name, _ = self.known.get(self.known.at(self.given, self.at), ("", ""))
-        return self.next == r"\tilde" or (name in self.scope.letters and not is_number(self.scope.letters[name][1]))
+        letters = {**CONSTANTS, **self.scope.letters}
+        return self.next == r"\tilde" or (name in letters and not is_number(letters[name][1]))
 
     def argument(self) -> str:
         """Read an argument of a command: a group in braces, or one sign."""
@@ -272,8 +281,10 @@ class _Reader:
             return f"{ACCENTS[sign]}({self.argument()})"
         if self.next in CLOSING and self.next != "{":  # braces are not seen, so they group nothing
             return f"norm({self.group()})" if self.next == "|" else f"({self.group()})"
+        if way := self.known.left_out.at(self.given, self.at):
+            raise self.fail(f"the letter {self.known.left_out[way][0]} is printed in several ways: print it in one")
         is_letter = self.next.lstrip("\\") in GREEK or (len(self.next) == 1 and self.next.isalpha())
-        raise self.fail("no declared letter, or one that is printed in several ways" if is_letter else "")
+        raise self.fail("no declared letter" if is_letter else "")
 
     def name(self) -> str:
         """Read a letter, a constant or a call of a definition; nothing if no such name stands here."""

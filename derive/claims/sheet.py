@@ -105,10 +105,15 @@ class Sheet(Paper):
 
 def load(path: str | Path) -> Sheet:
     """Return the sheet of a file; raise SheetError or OSError."""
-    if Path(path).suffix.lower() not in READERS:
+    if (suffix := Path(path).suffix.lower()) in READERS:
+        tables, wrong = content(path)
+        return sheet(tables, str(path), wrong=wrong)
+    try:
         return sheet(text_of(path, BYTES_MAX), str(path))
-    tables, wrong = content(path)
-    return sheet(tables, str(path), wrong=wrong)
+    except SheetError as error:
+        if suffix in FILES:
+            raise
+        raise SheetError(f"{error}; files with claims end in {', '.join(FILES)}") from None
 
 
 def unreadable(name: str, error: SheetError) -> Problem:

@@ -32,8 +32,8 @@ def generate(
         folder = build.place(output, target)
     with options.refusals():
         if check:
-            if found := build.check_charts(folder, charts, target, display.progress, max_n):
-                display.differences(found, options.without_check())
+            found = build.check_charts(folder, charts, target, display.progress, max_n)
+            display.differences(found, folder, options.without_check())
             raise click.exceptions.Exit(1 if found else 0)
         package = build.generate_charts(charts, target, folder, force, display.progress, cores())
     click.echo(summary(package, folder).text(columns()), nl=False)

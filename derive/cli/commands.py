@@ -192,7 +192,8 @@ def run() -> int:
         code = next((code for kind, code in _exit_codes().items() if isinstance(error, kind)), None)
         if code is None:
             raise
-        click.echo(f"dualcay: {error}", err=True)
+        said = f"{error.filename}: {error.strerror}" if isinstance(error, OSError) and error.filename else error
+        click.echo(f"dualcay: {said}", err=True)
     return code if isinstance(code, int) else 0
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import time
 from contextlib import AbstractContextManager, nullcontext
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 import click
@@ -39,7 +40,10 @@ def _lines(total: int) -> Step:
     return step
 
 
-def differences(found: list[Difference], command: str) -> None:
+def differences(found: list[Difference], place: Path, command: str) -> None:
+    if not found:
+        click.echo(f"{place}: up to date", err=True)
+        return
     for difference in found:
         reason = f" ({difference.reason})" if difference.reason else ""
         click.echo(f"{difference.kind}: {difference.path}{reason}")

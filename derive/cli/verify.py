@@ -18,7 +18,7 @@ from ..claims.language.names import ClaimError
 from ..claims.report import FORMATS, LINEWISE, Report, as_text, data
 from ..claims.result import Status
 from ..claims.run import check_sheets
-from ..claims.sheet import Problem, Sheet, SheetError, claim_alone, load, unreadable
+from ..claims.sheet import FILES, Problem, Sheet, SheetError, claim_alone, load, unreadable
 from ..output import files, pages
 from ..output.shown import columns, seen
 from . import display, options
@@ -57,12 +57,12 @@ def verify(
         click.echo(text, nl=False)
     else:
         texts = pages.beside(output, text, seen(data(report))) if beside else {output.name: text}
-        stale = pages.stale(output, texts) if check else []
-    if output is not None and not check:
-        files.write(output.parent, texts, force=True)
-        click.echo(f"{output}: {report.summary}", err=True)
-    if stale:
-        display.differences(stale, options.without_check())
+        if check:
+            stale = pages.stale(output, texts)
+            display.differences(stale, output, options.without_check())
+        else:
+            files.write(output.parent, texts, force=True)
+            click.echo(f"{output}: {report.summary}", err=True)
     _complain(report.problems)
     wrong = any(result.status in WRONG for result in report.results)
     if stale or report.failed or (strict and wrong):
@@ -128,6 +128,8 @@ def _single(claim: str, letters: Sequence[str], domain: str) -> Sheet:
     try:
         return claim_alone(claim, _pairs(letters), domain)
     except ClaimError as error:
+        if Path(claim).suffix in FILES or Path(claim).is_file():
+            raise click.UsageError(f"expected a claim, got the name of a file: dualcay verify {claim}") from None
         raise Unreadable(f"claim: {error}") from None
 
 

@@ -93,7 +93,7 @@ def _rows(result: Result, scope: Scope) -> Iterator[tuple[str, list[Form]]]:
     at = () if outside is None else (outside.point, *(example(outside, entry) if outside.sides else ()))
     for heading, lines in (
         ("outside", at), ("fails at", example(failing, entry) if failing else ()), ("true with", result.changes),
-        ("only with", result.needs), ("true as well with another sign or factor", result.vacuous),
+        ("since, as declared,", result.needs), ("true as well with another sign or factor", result.vacuous),
         ("points", filter(None, [result.cuts])), ("how it is known", [result.method]),
     ):  # fmt: skip
         yield heading, list(map(piece, lines))

@@ -15,8 +15,10 @@ import importlib
 import pkgutil
 import re
 import sys
+from types import SimpleNamespace
 from typing import TYPE_CHECKING, Any
 
+from ._chart import absent
 from ._covariances import between_covariance, compose_covariance, inverse_covariance, transform_point_covariance
 from ._means import mean
 from ._motion import Motion, MotionError
@@ -50,16 +52,26 @@ else:
     def __getattr__(name: str) -> Any:
         if name in (*_modules(), *PARTS):
             return importlib.import_module(f".{name}", __name__)
-        there = f"kernel modules: {', '.join(_modules())}"
+        for tool in ("interop", "plot"):
+            if name in importlib.import_module(f".{tool}", __name__).__all__:
+                raise absent(f"module {__name__!r} has no attribute {name!r}; here it is {tool}.{name}")
+        there = f"; kernel modules: {', '.join(_modules())}{_command(name)}"
+        raise absent(f"module {__name__!r} has no attribute {name!r}{there}")
+
+    def _command(name: str) -> str:
+        """Return how to write a chart that is not in the folder; nothing for another name."""
         order = re.fullmatch(r"cayley([1-9]\d*)", name)
-        if order or re.fullmatch(r"exponential|orthographic|lambert|breusing|wiener_milenkovic|reduced_euler_rodrigues|sine[1-9]\d*|scaled[1-9]\d*", name):
-            chosen = f"-n {order[1]}" if order else f"--family {name}"
-            command = f"dualcay generate {chosen} -o FOLDER"
-            if sys._getframe(1).f_code.co_name == "_handle_fromlist":  # "from … import name" hides other errors' text
-                text = f"no {name} in {__name__!r} ({there}): write it with  {command}"
-                raise ImportError(text, name=f"{__name__}.{name}")
-            there += f"; write it with  {command}"
-        raise AttributeError(f"module {__name__!r} has no attribute {name!r}; {there}")
+        if not (order or re.fullmatch(r"exponential|orthographic|lambert|breusing|wiener_milenkovic|reduced_euler_rodrigues|sine[1-9]\d*|scaled[1-9]\d*", name)):
+            return ""
+        return f"; write it with  dualcay generate {f'-n {order[1]}' if order else f'--family {name}'} -o FOLDER"
+
+    def _find_spec(name: str, path: Any = None, target: Any = None) -> None:
+        """Raise the error of ``import`` with the command; only a chart that no other finder has comes here."""
+        home, _, last = name.rpartition(".")
+        if home == __name__ and _command(last) and sys._getframe(2).f_code.co_name == "_find_and_load_unlocked":
+            raise ModuleNotFoundError(f"No module named {name!r}{_command(last)}", name=name)
+
+    sys.meta_path.append(SimpleNamespace(find_spec=_find_spec))
 
 
 def backend() -> dict[str, str]:

@@ -5,7 +5,7 @@
 
 from __future__ import annotations
 
-from typing import Literal, TypeAlias, get_args
+from typing import Any, Literal, TypeAlias, get_args
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -43,6 +43,14 @@ def increasing(name: str, t: ArrayLike) -> Array:
         former, later = times[wrong[0] - 1 : wrong[0] + 1]
         raise ValueError(f"{name} must increase, got {later:g} after {former:g} in row {wrong[0]}")
     return times
+
+
+def vector_size(module: Any, poses: bool = False) -> int:
+    """Return the number of components of v; raise TypeError unless the module is a chart, or one of poses."""
+    size = len(module.identity()) if hasattr(module, "from_exponential") else 0
+    if size not in ((6,) if poses else (3, 6)):
+        raise TypeError(f"module must be a kernel module{' of poses' * poses}, as cayley2 is, got {module!r}")
+    return size
 
 
 def require_one_of(name: str, value: str, allowed: tuple[str, ...]) -> str:

@@ -12,6 +12,7 @@ from typing import Any
 
 import numpy as np
 
+from ._arguments import vector_size
 from ._factors import COEFFICIENTS, STEPS, bracket, programs, shares
 from ._kernel import Array
 from ._motion import OfModule
@@ -32,12 +33,11 @@ class Group(OfModule):
     module: Any
 
     def __post_init__(self) -> None:
-        if not hasattr(self.module, "from_exponential"):
-            raise TypeError(f"module must be a kernel module, as cayley2 is, got {self.module!r}")
+        vector_size(self.module)
 
     @cached_property
     def size(self) -> int:
-        return len(self.module.identity())
+        return vector_size(self.module)
 
     def matrix(self, v: Array) -> Array:
         return np.asarray((self.module.pose if self.size == 6 else self.module.tensor)(v))

@@ -6,13 +6,14 @@
 from __future__ import annotations
 
 import importlib
+import re
 from typing import Any, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ._branches import call_branch, returned, shifted, shifted_jacobian, switched
-from ._chart import Axis, Chart
+from ._chart import Axis, Chart, absent
 from ._checks import LAWS, require
 from ._kernel import Array
 from ._runtime import call, from_scalar_last, separate, to_scalar_last
@@ -44,11 +45,11 @@ def kernels_of(module: str) -> Kernels:
 
 
 WORDS = {
-    "pose tensor": "exp exp6 exp3 expm expmap as_matrix to_matrix matrix homogeneous",
+    "pose tensor": "exp exp6 exp3 expm expmap matrix homogeneous",
     "from_pose from_tensor": "log log6 log3 logm logmap from_matrix",
-    "quaternion": "as_quat to_quat quat",
+    "quaternion": "quat",
     "from_quaternion": "from_quat",
-    "to_exponential": "as_rotvec as_exp_coords",
+    "to_exponential": "rotvec exp_coords",
     "from_exponential": "from_rotvec from_exp_coords",
     "inverse": "inv",
     "compose": "mul multiply product",
@@ -66,7 +67,9 @@ WORDS = {
 }
 """Functions, and words of other libraries for them in small letters. Of two functions, rotations have the latter."""
 
-OF_WORD = {word: functions.split() for functions, words in WORDS.items() for word in words.split()}
+OF_WORD = {
+    word: functions.split() for functions, words in WORDS.items() for word in (*words.split(), functions.split()[0])
+}
 
 
 def exports(kernels: Kernels, *further: str) -> dict[str, Any]:
@@ -78,9 +81,11 @@ def exports(kernels: Kernels, *further: str) -> dict[str, Any]:
     names = sorted((*functions, *further))
 
     def missing(name: str) -> Any:
-        here = [one for one in OF_WORD.get(name.lower(), ()) if one in functions]
+        word = name.lower()
+        stem = re.sub("^(as|to)_", "", word)
+        here = [one for one in (*OF_WORD.get(word, ()), *OF_WORD.get(stem, ()), stem) if one in functions]
         named = f"; here it is {here[0]}" if here else ""
-        raise AttributeError(f"module {kernels._chart.module!r} has no attribute {name!r}{named}")
+        raise absent(f"module {kernels._chart.module!r} has no attribute {name!r}{named}")
 
     return {**functions, "__all__": names, "__dir__": lambda: names, "__getattr__": missing}
 

@@ -11,7 +11,7 @@ from typing import Any, Literal, overload
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ._arguments import require_one_of
+from ._arguments import require_one_of, vector_size
 from ._covariances import FRAMES, FrameOfCovariance
 from ._kernel import Array
 from ._runtime import as_array
@@ -82,7 +82,7 @@ def mean(
     (True, array([0.09, 0.  , 0.  , 0.  , 1.  , 0.  ]))
     """
     require_one_of("frame", frame, FRAMES)
-    n, shape = len(module.identity()), np.shape(v)
+    n, shape = vector_size(module), np.shape(v)
     if len(shape) < 2 or shape[-1] != n or not shape[-2]:
         raise ValueError(f"v must have shape (..., N, {n}) with at least one pose, got {shape}")
     w = _weights(weights, shape[-2])

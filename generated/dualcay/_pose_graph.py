@@ -5,16 +5,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 import numpy as np
 
-from ._arguments import finite, require_one_of
+from ._arguments import finite, require_one_of, vector_size
 from ._kernel import Array
 from ._other_vectors import from_linear_angular_matrix, to_linear_angular_matrix
 from ._pose_files import QUATERNION, ROUNDED, File, lines, numbers, position_quaternions, vectors, whole, write
-from ._ros import require_poses
 
 TRIANGLE = np.triu_indices(6)
 EDGE = f"{QUATERNION} {' '.join(f'i{row}{column}' for row, column in zip(*(one + 1 for one in TRIANGLE)))}"
@@ -90,7 +90,7 @@ def read_g2o(module: Any, file: File, *, convention: str = "g2o", check: bool | 
     Raises
     ------
     ValueError
-        If a line is of another kind, or its fields are wrong, or a pose is missing. The message names file and line.
+        If a line is of another kind, its fields are wrong, or a pose is missing. The message names file and line.
 
     Examples
     --------
@@ -102,7 +102,7 @@ def read_g2o(module: Any, file: File, *, convention: str = "g2o", check: bool | 
     >>> graph.ids, graph.edges, graph.information[0].diagonal()
     (array([7, 8]), array([[0, 1]]), array([1., 1., 1., 1., 1., 1.]))
     """
-    require_poses(module)
+    vector_size(module, poses=True)
     unit = UNITS[require_one_of("convention", convention, tuple(UNITS))]
     found = _parsed(file)
     vertices, measured = found[VERTEX], found[MEASURED]
@@ -115,6 +115,7 @@ def read_g2o(module: Any, file: File, *, convention: str = "g2o", check: bool | 
     information = np.zeros((len(measured), 6, 6))
     for row, column in (TRIANGLE, TRIANGLE[::-1]):
         information[:, row, column] = listed
+    _require_positive(information, lambda edge, row: f"{measured[edge].place}: i{row + 1}{row + 1}")
     edges = np.array([_rows(rows, line) for line in measured], int).reshape(-1, 2)
     fixed = np.array([row for line in found[FIX] for row in _rows(rows, line)], int)
     return PoseGraph(np.array([*rows], int), v, edges, motions, from_linear_angular_matrix(information) * unit, fixed)
@@ -133,7 +134,7 @@ def write_g2o(module: Any, file: File, graph: PoseGraph, *, convention: str = "g
     Raises
     ------
     ValueError
-        If a shape is wrong, or a number is not finite. Nothing is written then.
+        If a shape is wrong, a number is not finite, or a diagonal of information is negative. Nothing is written then.
 
     Examples
     --------
@@ -146,11 +147,14 @@ def write_g2o(module: Any, file: File, graph: PoseGraph, *, convention: str = "g
     VERTEX_SE3:QUAT 7 0.0 0.0 0.0 0.0 0.0 0.0 1.0
     FIX 7
     """
+    if not isinstance(graph, PoseGraph):
+        raise TypeError(f"graph must be a PoseGraph, got {type(graph).__name__}")
     unit = UNITS[require_one_of("convention", convention, tuple(UNITS))]
     ids, count = np.asarray(graph.ids), len(graph.edges)
     poses, motions = (position_quaternions(module, name, getattr(graph, name)) for name in ("v", "motions"))
-    information = finite("information", graph.information, (count, 6, 6), rows=True) / unit
-    triangles = to_linear_angular_matrix(information)[:, TRIANGLE[0], TRIANGLE[1]].tolist()
+    information = finite("information", graph.information, (count, 6, 6), rows=True)
+    _require_positive(information, lambda edge, row: f"information[{edge}, {row}, {row}]")
+    triangles = to_linear_angular_matrix(information / unit)[:, TRIANGLE[0], TRIANGLE[1]].tolist()
     ends = ids[np.asarray(graph.edges, int).reshape(-1, 2)].tolist()
     write(file, [
         *((VERTEX, name, *pose) for name, pose in zip(ids.tolist(), poses.tolist(), strict=True)),
@@ -171,6 +175,13 @@ def _parsed(file: File) -> dict[str, list[Line]]:
         ids = [whole(place, "id", text) for text in fields[:count]]
         found[kind].append(Line(place, ids, numbers(place, fields[len(ids):], layout)))
     return found
+
+
+def _require_positive(information: Array, name: Callable[[int, int], str]) -> None:
+    """Raise an error that names an edge and a row if the diagonal of its information has a negative number."""
+    diagonal = np.diagonal(information, axis1=-2, axis2=-1)
+    for edge, row in np.argwhere(diagonal < 0)[:1]:
+        raise ValueError(f"{name(edge, row)} on the diagonal must not be negative, got {diagonal[edge, row]:g}")
 
 
 def _vectors(module: Any, found: list[Line], check: bool | float) -> tuple[Array, Array]:

@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
+from ._arguments import vector_size
 from ._checks import ROTATION_LAWS, require
 from ._kernel import Array
 from ._other_vectors import components
@@ -50,7 +51,7 @@ def to_ros(module: Any, v: ArrayLike) -> tuple[Array, Array]:
     >>> xyz, xyzw
     (array([1., 2., 3.]), array([0., 0., 0., 1.]))
     """
-    require_poses(module)
+    vector_size(module, poses=True)
     return module.pose(v)[..., :3, 3], module.quaternion(v, scalar_first=False)[..., :4]
 
 
@@ -82,7 +83,7 @@ def from_ros(module: Any, xyz: ArrayLike, xyzw: ArrayLike, branch: int = 0, *, c
     >>> from_ros(cayley2, [1, 2, 3], [0, 0, 0, 1])
     array([0.  , 0.  , 0.  , 0.25, 0.5 , 0.75])
     """
-    require_poses(module)
+    vector_size(module, poses=True)
     position, q = components("xyz", xyz, 3), components("xyzw", xyzw, 4)
     if check is not False:
         require(UNIT, q, -1, check)
@@ -168,11 +169,6 @@ def from_ros_message(module: Any, message: Any, branch: int = 0, *, check: bool 
             return from_ros(module, position, q, branch, check=check)
     expected = " or ".join(f"{kind} ({', '.join(names)})" for kind, names in FIELDS.items())
     raise TypeError(f"message must be a {expected}, got {message!r}")
-
-
-def require_poses(module: Any) -> None:
-    if not hasattr(module, "identity") or len(module.identity()) != 6:
-        raise TypeError(f"module must be a kernel module of poses, as cayley2 is, got {module!r}")
 
 
 def _field(message: Any, name: str) -> Any:

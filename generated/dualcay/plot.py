@@ -33,7 +33,9 @@ FINE = 1000
 """Least number of times at which the angles of a motion are drawn."""
 
 
-def frames(poses: ArrayLike, axes: Any = None, *, length: float | None = None, plane: str = "xy", **style: Any) -> Any:
+def frames(
+    poses: ArrayLike, axes: Any = None, *, length: float | None = None, plane: str | None = None, **style: Any
+) -> Any:
     """Draw the axes x, y, z of poses in red, green and blue, one line of Matplotlib for each colour.
 
     Parameters
@@ -41,11 +43,11 @@ def frames(poses: ArrayLike, axes: Any = None, *, length: float | None = None, p
     poses : array, shape (..., 4, 4)
         Homogeneous matrices.
     axes : Axes, optional
-        Axes to draw into, of two or three dimensions; without them, new ones of three.
+        Axes to draw into, of two or three dimensions; without them, new ones: of two if a plane is named.
     length : float, optional
         Length of the axes; without it, 0.08 of the largest extent of the positions, or 1 for a single place.
-    plane : str
-        Space axes to the right and upwards in axes of two dimensions, such as "xz".
+    plane : str, optional
+        Space axes to the right and upwards in axes of two dimensions, such as "xz"; "xy" without it.
 
     Returns
     -------
@@ -59,18 +61,18 @@ def frames(poses: ArrayLike, axes: Any = None, *, length: float | None = None, p
     >>> len(axes.lines)
     3
     """
-    matrices = components("poses", poses, 4, 4).reshape(-1, 4, 4)
+    matrices = _poses("poses", poses).reshape(-1, 4, 4)
     origins, directions = matrices[:, :3, 3], matrices[:, :3, :3]
     if length is None:
         length = PART * float(np.ptp(origins, axis=0).max(initial=0.0)) or 1.0
-    axes = _space(axes, plane)
+    axes, shown = _space(axes, plane)
     for column, colour in enumerate(COLOURS):
         tips = origins + length * directions[:, :, column]
-        _lines(axes, np.stack([origins, tips], axis=1), plane, {"color": colour, **style})
+        _lines(axes, np.stack([origins, tips], axis=1)[..., shown], {"color": colour, **style})
     return axes
 
 
-def trajectory(motion: Motion | ArrayLike, axes: Any = None, *, plane: str = "xy", **style: Any) -> Any:
+def trajectory(motion: Motion | ArrayLike, axes: Any = None, *, plane: str | None = None, **style: Any) -> Any:
     """Draw the way of the origin of the body.
 
     Parameters
@@ -93,15 +95,15 @@ def trajectory(motion: Motion | ArrayLike, axes: Any = None, *, plane: str = "xy
     >>> len(axes.lines[0].get_data_3d()[0])
     3
     """
-    poses = components("motion", motion.pose if isinstance(motion, Motion) else motion, 4, 4)
-    axes = _space(axes, plane)
-    _lines(axes, poses[..., :3, 3].reshape(1, -1, 3), plane, style)
+    poses = _poses("motion", motion.pose if isinstance(motion, Motion) else motion)
+    axes, shown = _space(axes, plane)
+    _lines(axes, poses[..., :3, 3].reshape(1, -1, 3)[..., shown], style)
     return axes
 
 
 def ellipsoids(
-    points: ArrayLike, covariance: ArrayLike, axes: Any = None, *, deviations: float = 3.0, plane: str = "xy",
-    **style: Any,
+    points: ArrayLike, covariance: ArrayLike, axes: Any = None, *, deviations: float = 3.0,
+    plane: str | None = None, **style: Any,
 ) -> Any:  # fmt: skip
     """Draw ellipsoids of covariance by their three principal sections; in two dimensions, the outline of their shadow.
 
@@ -129,8 +131,7 @@ def ellipsoids(
     >>> [float(np.nanmax(one)) for one in axes.lines[0].get_data_3d()]
     [1.0, 2.0, 3.0]
     """
-    axes = _space(axes, plane)
-    shown = _shown(axes, plane)
+    axes, shown = _space(axes, plane)
     centres = components("points", points, 3)[..., shown].reshape(-1, 1, len(shown))
     P = components("covariance", covariance, 3, 3)[..., np.array(shown)[:, None], shown]
     sizes, directions = np.linalg.eigh(P.reshape(-1, len(shown), len(shown)))
@@ -141,7 +142,7 @@ def ellipsoids(
         centres + half[:, None, :, i] * np.cos(TURN)[:, None] + half[:, None, :, j] * np.sin(TURN)[:, None]
         for i, j in combinations(range(len(shown)), 2)
     ]
-    _lines(axes, np.concatenate(circles), plane, {"linewidth": 0.8, **style})
+    _lines(axes, np.concatenate(circles), {"linewidth": 0.8, **style})
     return axes
 
 
@@ -169,8 +170,7 @@ def angles(motion: Motion, axes: Any = None, **style: Any) -> Any:
     """
     if not isinstance(motion, Motion):
         raise TypeError(f"motion must be a Motion of propagate, got {type(motion).__name__}")
-    if axes is None:
-        axes = _pyplot().figure(layout="constrained").add_subplot()
+    axes = _axes(axes, None)
     t = np.union1d(motion.t, np.linspace(motion.t[0], motion.t[-1], FINE))
     shown = np.degrees(motion.module.angle(motion(t))[:, 0])
     places = np.searchsorted(t, motion.switches)
@@ -181,28 +181,40 @@ def angles(motion: Motion, axes: Any = None, **style: Any) -> Any:
     return axes
 
 
-def _space(axes: Any, plane: str) -> Any:
-    """Return axes with names and one scale for all directions; new ones of three dimensions for None."""
+def _poses(name: str, poses: Any) -> Array:
+    """Return poses as an array; the error for something else says how to make poses of it."""
+    wanted = f"{name} must be poses, of shape (..., 4, 4)"
+    if hasattr(poses, "pose"):
+        raise TypeError(f"{wanted}, such as those of its pose, got {type(poses).__name__}")
+    if (shape := np.shape(poses))[-1:] == (6,):
+        raise ValueError(f"{wanted}, such as cayley2.pose(v), got vectors of shape {shape}")
+    return components(name, poses, 4, 4)
+
+
+def _axes(axes: Any, projection: str | None) -> Any:
+    """Return given axes after a check, or new ones."""
     if axes is None:
-        axes = _pyplot().figure(layout="constrained").add_subplot(projection="3d")
-    if sorted(plane) not in (["x", "y"], ["x", "z"], ["y", "z"]):
-        raise ValueError(f"plane must be two of the letters x, y, z, got {plane!r}")
-    for direction, index in zip("xyz", _shown(axes, plane)):
-        if not getattr(axes, f"get_{direction}label")():
-            axes.set(**{f"{direction}label": "xyz"[index]})
+        return _pyplot().figure(layout="constrained").add_subplot(projection=projection)
+    if not hasattr(axes, "plot"):
+        raise TypeError(f"axes must be Axes of Matplotlib, such as figure.add_subplot(), got {type(axes).__name__}")
     return axes
 
 
-def _shown(axes: Any, plane: str) -> list[int]:
-    """Return the components that axes show."""
-    return ["xyz".index(letter) for letter in ("xyz" if axes.name == "3d" else plane)]
+def _space(axes: Any, plane: str | None) -> tuple[Any, list[int]]:
+    """Return axes with names, and the components that they show: three without a plane."""
+    if plane is not None and sorted(plane) not in (["x", "y"], ["x", "z"], ["y", "z"]):
+        raise ValueError(f"plane must be two of the letters x, y, z, got {plane!r}")
+    axes = _axes(axes, None if plane else "3d")
+    shown = ["xyz".index(letter) for letter in ("xyz" if axes.name == "3d" else plane or "xy")]
+    for direction, index in zip("xyz", shown):
+        if not getattr(axes, f"get_{direction}label")():
+            axes.set(**{f"{direction}label": "xyz"[index]})
+    return axes, shown
 
 
-def _lines(axes: Any, pieces: Array, plane: str, style: dict[str, Any]) -> None:
+def _lines(axes: Any, pieces: Array, style: dict[str, Any]) -> None:
     """Draw pieces (N, points, components) as one line with gaps, and keep one scale for all directions."""
-    shown = _shown(axes, plane)
-    chosen = pieces if pieces.shape[-1] == len(shown) else pieces[..., shown]
-    ended = np.concatenate([chosen, np.full_like(chosen[:, :1], np.nan)], axis=1).reshape(-1, len(shown))[:-1]
+    ended = np.concatenate([pieces, np.full_like(pieces[:, :1], np.nan)], axis=1).reshape(-1, pieces.shape[-1])[:-1]
     axes.plot(*ended.T, **style)
     axes.set_aspect("equal")
 

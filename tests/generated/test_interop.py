@@ -7,6 +7,8 @@ import re
 import subprocess
 import sys
 from collections.abc import Callable
+from functools import partial
+from io import StringIO
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
@@ -16,11 +18,24 @@ import pytest
 import sympy
 from pytransform3d import transformations
 from scipy.spatial import transform
-from scipy.spatial.transform import RigidTransform
+from scipy.spatial.transform import RigidTransform, Rotation
 
 import derive
 import dualcay
-from dualcay import cayley1, cayley2, cayley3, exponential, interop, lambert, rotation, scaled2
+from dualcay import (
+    cayley1,
+    cayley2,
+    cayley3,
+    exponential,
+    interop,
+    inverse_covariance,
+    lambert,
+    mean,
+    rotation,
+    scaled2,
+    switch_event,
+    unwrap,
+)  # fmt: skip
 from tests.support import traced
 from tests.support.libraries import jax, jaxlie
 
@@ -240,6 +255,21 @@ REFUSED: tuple[tuple[Callable[..., object], tuple[Any, ...], type[Exception], st
     (interop.to_cayley_4x4, ([0] * 3,), ValueError, "v must have shape (..., 6), got (3,)"),
     (interop.from_cayley_4x4, ([0] * 3,), ValueError, "vector must have shape (..., 6), got (3,)"),
 )
+
+
+CHARTS_FIRST = (
+    *(partial(getattr(interop, name), file=StringIO()) for name in interop.__all__ if name.startswith("read_")),
+    *(partial(getattr(interop, name), v=V) for name in ("to_rotation", "to_rigid_transform", "to_ros")),
+    partial(interop.from_rotation, rotation=Rotation.identity()), partial(unwrap, v=V), partial(mean, v=V),
+    partial(inverse_covariance, v=V, covariance=np.eye(6)), switch_event,
+)  # fmt: skip
+
+
+@pytest.mark.parametrize("module", [np, rotation, "cayley2"])
+def test_what_is_no_chart_is_named(module: Any) -> None:
+    for function in CHARTS_FIRST:
+        with pytest.raises(TypeError, match=r"^module must be a kernel module.*, as cayley2 is, got "):
+            function(module)
 
 
 @pytest.mark.parametrize(("function", "given", "error", "message"), REFUSED)

@@ -5,15 +5,17 @@ from __future__ import annotations
 import pickle
 import sys
 from collections.abc import Iterator
+from functools import partial
 from typing import Any
 
 import numpy as np
 import pytest
 
-from dualcay import Motion, cayley2, cayley3, plot, propagate, transform_point_covariance
+from dualcay import Motion, PoseSpline, cayley2, cayley3, plot, propagate, transform_point_covariance
 
 figures = pytest.importorskip("matplotlib.figure")
 POSES = cayley2.pose(cayley2.random(5, rng=0))
+SPLINE = PoseSpline(cayley2, [0, 1], np.zeros((2, 6)))
 
 
 @pytest.fixture(params=["3d", None], ids=["space", "plane"])
@@ -110,10 +112,20 @@ def test_missing_matplotlib_is_an_error_that_says_how_to_install_it(monkeypatch:
         plot.frames(POSES)
 
 
-def test_wrong_arguments_are_refused() -> None:
+def test_new_axes_show_a_plane_if_one_is_named(motion: Motion) -> None:
+    for draw in (plot.frames, plot.trajectory):
+        assert [draw(motion.pose, plane=plane).name for plane in (None, "xz")] == ["3d", "rectilinear"]
+
+
+def test_wrong_arguments_are_refused(motion: Motion) -> None:
     for call, error, message in (
         (lambda: plot.frames(np.eye(3)), ValueError, r"poses must have shape \(\.\.\., 4, 4\), got \(3, 3\)"),
         (lambda: plot.trajectory(np.eye(4)[None], plane="xx"), ValueError, "plane must be two of the letters x, y, z"),
+        (lambda: plot.frames(SPLINE), TypeError, "such as those of its pose, got PoseSpline"),
+        (lambda: plot.trajectory(np.zeros((5, 6))), ValueError, r"such as cayley2\.pose\(v\), got vectors"),
+        *((partial(draw, axes=figures.Figure()), TypeError, r"figure\.add_subplot\(\), got Figure") for draw in (
+            partial(plot.frames, POSES), partial(plot.angles, motion), partial(plot.ellipsoids, np.zeros(3), np.eye(3)),
+        )),
         (lambda: plot.angles(POSES), TypeError, "motion must be a Motion of propagate, got ndarray"),
         (lambda: plot.ellipsoids(np.zeros((2, 3)), np.eye(3)), ValueError, "a matrix for each point, got 1 for 2"),
     ):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
-from dataclasses import fields
+from dataclasses import fields, replace
 from io import StringIO
 from pathlib import Path
 from typing import Any
@@ -134,13 +134,16 @@ WRONG = (
     (interop.read_tum, f"0 {UNIT} 9", "expected 8 numbers"),
     (interop.read_tum, "0 1 2 x 0 0 0 1", "tz must be a finite number, got 'x'"),
     (interop.read_tum, "nan 1 2 3 0 0 0 1", "timestamp must be a finite number, got 'nan'"),
-    (interop.read_tum, "0 1 2 3 0 0 0 1.001", "xyzw is no unit quaternion: its square is not 1, off by 0.002 (allowed"),
+    (interop.read_tum, "0 1 2 3 0 0 0 1.001", "qx qy qz qw is no unit quaternion: its square is not 1, off by 0.002"),
     (interop.read_tum, "0 1 2 3 0 0 0 0", "off by 1 (allowed 0.001)"),
     (interop.read_kitti, "1 0 0 1 0 1 0 2 0 0 1", "expected 12 numbers (r11 r12 r13 tx r21"),
     (interop.read_kitti, "1 0 0 1 0 -1 0 2 0 0 1 3", "det Q is not 1, off by 2"),
     (interop.read_euroc, "1.5,1,2,3,1,0,0,0", "timestamp must be a whole number of 64 bits, got '1.5'"),
     (interop.read_euroc, f"{10**20},1,2,3,1,0,0,0", "timestamp must be a whole number of 64 bits"),
     (interop.read_euroc, "1,5,,0,0,1,0,0,0", "py must be a finite number, got ''"),
+    (interop.read_euroc, "1,1,2,3,2,0,0,0", "qw qx qy qz is no unit quaternion"),
+    (interop.read_g2o, f"VERTEX_SE3:QUAT 4 {UNIT}\nEDGE_SE3:QUAT 4 4 {UNIT} {'1 ' * 6}-2{' 1' * 14}",
+     "i22 on the diagonal must not be negative, got -2"),
     (interop.read_euroc, "1,1,2,3,1,0,0", "expected 7 numbers (px py pz qw qx qy qz), got 6"),
     (interop.read_g2o, "VERTEX_SE2 0 0 0 0", "expected VERTEX_SE3:QUAT, EDGE_SE3:QUAT, FIX, got 'VERTEX_SE2'"),
     (interop.read_g2o, f"VERTEX_SE3:QUAT {UNIT}", "expected 7 numbers (tx ty tz qx qy qz qw), got 6"),
@@ -165,8 +168,17 @@ def test_nothing_is_written_of_wrong_poses(tmp_path: Path) -> None:
     v[2, 0] = np.nan
     with pytest.raises(ValueError, match="v must be finite, got nan in row 2"):
         interop.write_tum(cayley2, file, [0, 1, 2], v)
-    with pytest.raises(ValueError, match=r"v must have shape \(6, 6\), got \(6,\)"):
-        interop.write_kitti(cayley2, file, np.zeros(6))
+    for one in (np.zeros(6), 3.0):
+        with pytest.raises(ValueError, match=r"v must have shape \(T, 6\), a row for each pose, got \("):
+            interop.write_kitti(cayley2, file, one)
+    with pytest.raises(ValueError, match=r"times t \(T,\), then vectors v \(T, 6\), got \(3, 6\), then \(3,\)"):
+        interop.write_tum(cayley2, file, v, [0, 1, 2])
+    with pytest.raises(TypeError, match="file must be a path or a text file, got 5"):
+        interop.write_kitti(cayley2, 5, v[:2])
+    with pytest.raises(TypeError, match="graph must be a PoseGraph, got ndarray"):
+        interop.write_g2o(cayley2, file, v)
+    with pytest.raises(ValueError, match=r"^information\[1, 0, 0\] on the diagonal must not be negative, got -1$"):
+        interop.write_g2o(cayley2, file, replace(GRAPH, information=[np.eye(6), np.diag([-1, 1, 1, 1, 1, 1])] * 2))
     with pytest.raises(ValueError, match=r"t must have shape \(2,\), got \(3,\)"):
         interop.write_tum(cayley2, file, [0, 1, 2], v[:2])
     with pytest.raises(TypeError, match="module must be a kernel module of poses"):

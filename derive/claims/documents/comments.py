@@ -107,6 +107,8 @@ class Collector:
 
     def _comment(self, text: Written) -> None:
         head = HEAD.match(text)
+        if head is not None and head[1] == "dualcay":
+            raise text.error("expected a colon after dualcay")
         if head is None or head[1] not in KNOWN:
             raise text.error(f"expected {', '.join(KNOWN)}, got {(head[1] if head else text[:20].strip())!r}")
         rest = text.part(head.end())

@@ -71,7 +71,7 @@ class Markdown(Scanner):
             self.add(number, line, first, end)
 
 
-DIRECTIVE = re.compile(r"(\s*)\.\. (?:(math)::\s*(.*)|(dualcay:.*))")
+DIRECTIVE = re.compile(r"(\s*)\.\. (?:(math)::\s*(.*)|(dualcay\b.*))")
 CODE = re.compile(r"(?:(?!\.\. ).*::|\s*\.\. (?:code|code-block|sourcecode|parsed-literal|raw|prompt)::.*)\s*$")
 
 

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import re
 
-from .comments import LABEL, LAYOUT, Collector, Place, Written
+from .comments import KNOWN, LABEL, LAYOUT, Collector, Place, Written
 
-COMMENT = re.compile(r"\s*(?:[%#]+\s*)?dualcay:")
+COMMENT = re.compile(rf"\s*(?:[%#]+\s*)?(?:dualcay:|(?=dualcay\s+(?:{'|'.join(KNOWN)})\b))")
+"""Beginning of a comment of ours, also of one without its colon, which is told."""
 GOES_ON = re.compile(r"[%#]*(?=(?:\t|  )\s*\S)")
 WITH_ARGUMENT = ("alignat", "IEEEeqnarray")
 """Environments whose first group in braces is no part of an equation."""

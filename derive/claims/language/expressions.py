@@ -25,7 +25,6 @@ RELATIONS: dict[type[ast.cmpop], Any] = {
 }
 JOINS: dict[type[ast.boolop], Any] = {ast.And: operator_table.both, ast.Or: matrices.either}
 SUMS: dict[type[ast.operator], str] = {ast.Add: "+", ast.Sub: "-"}
-HINTS = {"^": "a power is **", "@": "a product is *", "lambda": "", "=": "a relation is =="}
 
 
 def _parts(node: ast.expr) -> Sequence[ast.expr] | None:
@@ -64,8 +63,7 @@ def tree(text: str) -> ast.expr:
     try:
         return GRAMMAR.tree(flat.strip())
     except ClaimError as error:
-        sign = re.search(r"\^|@|\blambda\b|(?<![=!<>])=(?!=)", flat)
-        hint = f" ({HINTS[sign[0]]})" if sign and HINTS[sign[0]] else ""
+        hint = " (a relation is ==)" if re.search(r"(?<![=!<>])=(?!=)", flat) else ""
         raise ClaimError(error.message + hint, error.column + shift) from None
 
 

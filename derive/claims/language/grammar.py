@@ -11,6 +11,7 @@ import warnings
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from itertools import accumulate
+from unicodedata import decomposition
 
 DIGITS_MAX = 30
 DECIMAL_EXPONENT_MAX = 20
@@ -37,7 +38,8 @@ class Grammar:
     def tree(self, text: str) -> ast.expr:
         """Return the syntax tree of a text, with every node checked; a forbidden part raises an error with its text."""
         if strange := re.search(r"[^ -~]|[#\\]", text):  # comments and line breaks, which Python would pass over
-            message = f"not understood in {self.noun}: {strange[0]!r} (known are {self.known})"
+            known = "write ** for a power" if "<super>" in decomposition(strange[0]) else f"known are {self.known}"
+            message = f"not understood in {self.noun}: {strange[0]!r} ({known})"
             raise self.error(message, strange.start() + 1)
         if len(text) > self.characters_max:
             raise self.error(f"{self.noun} has {len(text)} characters, and {self.characters_max} are the most", 1)
@@ -82,9 +84,15 @@ class Grammar:
         return int(whole + rest or 0), exponent - len(rest)
 
     def refused(self, node: ast.expr, text: str) -> Exception:
-        known = f"known are {self.known}"
-        if isinstance(node, ast.BinOp) and isinstance(node.op, ast.BitXor):
-            known = "write ** for a power"
+        match node:
+            case ast.BinOp(op=ast.BitXor()):
+                known = "write ** for a power"
+            case ast.BinOp(op=ast.MatMult()):
+                known = "write * for a product"
+            case ast.Attribute(attr="T"):
+                known = "write transpose(…)"
+            case _:
+                known = f"known are {self.known}"
         message = f"not understood in {self.noun}: {source(node, text)[:60]!r} ({known})"
         return self.error(message, node.col_offset + 1)
 

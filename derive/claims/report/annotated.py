@@ -16,11 +16,12 @@ from urllib.parse import quote
 from ... import about
 from ..equation import Paper
 from ..result import Result, Status
-from .content import MEANING, Report, details, domain, example, label, shown
+from .content import ERRORS, MEANING, Report, details, domain, example, label, shown
 
 LEVELS = dict.fromkeys(MEANING, "warning") | {Status.FALSE: "error", Status.ERRATUM: "error", Status.HOLDS_IF: "notice"}
 RULES = {str(status): (LEVELS[status], meaning) for status, meaning in MEANING.items() if status is not Status.HOLDS}
-RULES |= {"unreadable": ("error", "not read, for the reason shown"), "unproved": ("error", "a theorem without a proof")}
+RULES |= {"unreadable": ("error", f"{ERRORS}, for the reason shown")}
+RULES |= {"unproved": ("error", "a theorem without a proof")}
 """Weight in the words of GitHub, and meaning, of each rule."""
 SARIF_LEVELS = {"error": "error", "warning": "warning", "notice": "note"}
 SCHEMA = "https://docs.oasis-open.org/sarif/sarif/v2.1.0/errata01/os/schemas/sarif-schema-2.1.0.json"
@@ -37,14 +38,14 @@ class Remark(NamedTuple):
 
 
 def remarks(report: Report) -> Iterator[Remark]:
-    """Yield what is wrong or open, in the report's order, then what was not read and theorems without a proof."""
+    """Yield what is wrong or open, in the report's order, then what was not understood and theorems without a proof."""
     for chapter in report.chapters:
         for result in chapter.results:
             if result.status in RULES:
-                title = f"{label(result) or 'claim'}: {result.status}"
+                title = f"{label(result)}: {result.status}"
                 yield Remark(str(result.status), *place(result, chapter.paper), title, explained(result))
     for problem in report.problems:
-        title = f"{problem.equation or 'file'}: not read"
+        title = f"{problem.equation or 'file'}: {ERRORS}"
         text = f"column {problem.column}: {problem.message}" if problem.column else problem.message
         yield Remark("unreadable", problem.file, problem.line or 0, title, text)
     for proof in report.failed:

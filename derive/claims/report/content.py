@@ -29,6 +29,8 @@ MEANING = {
     Status.HOLDS: "proved as printed",
 }
 """Meaning of each status, in the order of the report."""
+ERRORS = "not understood"
+"""Word for what cannot be read in a file: claims, letters, comments."""
 
 
 class StatementProof(Protocol):
@@ -92,19 +94,19 @@ class Report:
 
     @property
     def counts(self) -> dict[str, int]:
-        """Numbers of equations that are decided and not read, then of each status, of proofs and of proposed claims."""
+        """Numbers of equations that are decided and unread, of errors, of each status, proofs and proposed claims."""
         found = Counter(result.status for result in self.results)
         decided = len(self.results) - found[Status.UNDECIDED] - found[Status.UNREFUTED]
-        counts = {"decided": decided, "unread": len(self.unread) + len(self.problems)}
-        rest = {str(status): found[status] for status in MEANING} | {"proofs": len(self.proofs)}
+        counts = {"decided": decided, "unread": len(self.unread)}
+        rest = {ERRORS: len(self.problems), **{str(s): found[s] for s in MEANING}, "proofs": len(self.proofs)}
         rest["proposed"] = sum(result.equation.proposed for result in self.results)
         return counts | {what: n for what, n in rest.items() if n}
 
     @property
     def summary(self) -> str:
         """Counts in one line, such as "41 decided, 3 unread: 2 false, 39 holds"."""
-        parts = [f"{count} {what}" for what, count in self.counts.items()]
-        return ": ".join(filter(None, (", ".join(parts[:2]), ", ".join(parts[2:]))))
+        parts, first = [f"{count} {what}" for what, count in self.counts.items()], 2 + bool(self.problems)
+        return ": ".join(filter(None, (", ".join(parts[:first]), ", ".join(parts[first:]))))
 
     @property
     def statuses(self) -> dict[Status, str]:
@@ -135,9 +137,9 @@ class Report:
 
 
 def label(result: Result) -> str:
-    """Return the label for citing an equation: ``(111)``, or its slug."""
+    """Return the label for citing an equation: ``(111)``, its slug, or "claim" for one alone."""
     number = result.equation.number
-    return f"({number})" if number.isdecimal() else number
+    return f"({number})" if number.isdecimal() else number or "claim"
 
 
 def place(result: Result) -> str:
@@ -176,7 +178,7 @@ def details(result: Result) -> tuple[str, ...]:
         *([result.outside.point] if result.outside else []),
         *([result.cuts] if result.cuts else []),
         *(f"true with: {change}" for change in result.changes),
-        *(f"only with {need}" for need in result.needs),
+        *(f"since, as declared, {need}" for need in result.needs),
         *(f"true as well with another sign or factor: {term}" for term in result.vacuous),
     )
 

@@ -13,6 +13,7 @@ from ..language.operator_table import define
 from ..language.printed import ATOM, LIST, POWER, PRODUCT, RELATION, SUM, Term, latex
 from ..result import Result, Status
 from .content import (
+    ERRORS,
     MEANING,
     Chapter,
     Report,
@@ -50,7 +51,8 @@ def _grids(report: Report) -> Iterator[Grid]:
         (c.paper.short, *(str(c.counts[status]) for status in report.statuses), str(len(c.results)))
         for c in report.chapters
     ]
-    yield Grid("equations decided", [Column("paper"), *numbers, Column("all", number=True)], counts)
+    if counts:
+        yield Grid("equations decided", [Column("paper"), *numbers, Column("all", number=True)], counts)
     for chapter in report.chapters:
         if chapter.of_file:
             yield from _claims(chapter)
@@ -63,7 +65,7 @@ def _grids(report: Report) -> Iterator[Grid]:
         yield Grid("unread: equations without a claim", [Column("equation", width=24), Column("printed at")], places)
     if report.problems:
         unread = [(problem.equation, str(problem)) for problem in report.problems]
-        yield Grid("not read", [Column("equation", width=14), Column("reason")], unread, MIN_WIDTH)
+        yield Grid(ERRORS, [Column("equation", width=14), Column("reason")], unread, MIN_WIDTH)
     if report.proofs:
         proofs = [(proof.scope, proof.status, proof.statement) for proof in report.proofs]
         yield Grid("proofs", [Column("scope"), Column("status"), Column("statement")], proofs, MIN_WIDTH)

@@ -7,7 +7,7 @@ from typing import Any, Literal, TypeAlias, get_args
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ._arguments import require_one_of
+from ._arguments import require_one_of, vector_size
 from ._branches import require_symmetric
 from ._kernel import Array
 from ._runtime import as_array
@@ -54,7 +54,7 @@ def compose_covariance(
     >>> np.sqrt(np.diag(P)).round(3)  # 0.01 rad moves the end sideways by 0.02
     array([0.  , 0.  , 0.01, 0.  , 0.02, 0.  ])
     """
-    if require_one_of("frame", frame, FRAMES) == "chart":
+    if _frame(module, frame) == "chart":
         jacobians = module.compose_jacobians(v2, v1)
     elif frame == "space":
         jacobians = _identity(module, v1), module.adjoint(v2)
@@ -79,7 +79,7 @@ def between_covariance(
     >>> np.allclose(between_covariance(cayley2, v, v, P, P, P), 0)  # equal errors cancel
     True
     """
-    if require_one_of("frame", frame, FRAMES) == "chart":
+    if _frame(module, frame) == "chart":
         jacobians = module.between_jacobians(v2, v1)
     elif frame == "space":
         back = module.adjoint(module.inverse(v1)) @ _identity(module, v2)
@@ -103,7 +103,7 @@ def inverse_covariance(
     >>> np.allclose(inverse_covariance(cayley2, cayley2.inverse(v), there), P)
     True
     """
-    if require_one_of("frame", frame, FRAMES) == "chart":  # the vector is −v
+    if _frame(module, frame) == "chart":  # the vector is −v
         return _combined((_identity(module, v),), {"covariance": covariance})
     return _combined((module.adjoint(v if frame == "body" else module.inverse(v)),), {"covariance": covariance})
 
@@ -125,14 +125,20 @@ def transform_point_covariance(
     >>> np.sqrt(np.diag(P))  # 0.01 rad at the distance 2
     array([0.  , 0.02, 0.  ])
     """
+    by_chart = _frame(module, frame) == "chart"
     by_v, by_r = module.transform_point_jacobians(v, r)
-    if require_one_of("frame", frame, FRAMES) != "chart":
+    if not by_chart:
         eye, about = np.eye(3, dtype=by_r.dtype), module.transform_point(v, r) if frame == "space" else np.asarray(r)
         turned = -np.cross(eye, about[..., None, :])
         by_v = np.concatenate([turned, np.broadcast_to(eye, turned.shape)], axis=-1)[..., : by_v.shape[-1]]
         by_v = by_v if frame == "space" else by_r @ by_v
     point = np.zeros((3, 3), by_r.dtype) if point_covariance is None else point_covariance
     return _combined((by_v, by_r), {"covariance": covariance, "point_covariance": point}, cross)
+
+
+def _frame(module: ChartModule, frame: FrameOfCovariance) -> str:
+    vector_size(module)
+    return require_one_of("frame", frame, FRAMES)
 
 
 def _identity(module: ChartModule, v: ArrayLike) -> Array:

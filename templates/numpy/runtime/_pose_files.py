@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import AbstractContextManager, nullcontext
+from dataclasses import replace
 from os import PathLike, fspath
 from pathlib import Path
 from typing import IO, Any, TypeAlias
@@ -16,10 +17,10 @@ from typing import IO, Any, TypeAlias
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ._arguments import finite
-from ._checks import LAWS, Law, require
+from ._arguments import finite, vector_size
+from ._checks import LAWS, ROTATION_LAWS, Law, require
 from ._kernel import Array
-from ._ros import UNIT, from_ros, require_poses, to_ros
+from ._ros import from_ros, to_ros
 
 File: TypeAlias = "str | PathLike[str] | IO[str]"
 
@@ -47,7 +48,7 @@ def read_tum(module: Any, file: File, *, check: bool | float = ROUNDED) -> tuple
     Returns
     -------
     t : array, shape (T,)
-        Times (s) as the file has them.
+        Times (s) as the file has them, also where they decrease.
     v : array, shape (T, 6)
         Principal vectors of the chart. `unwrap` makes them continuous.
 
@@ -63,7 +64,7 @@ def read_tum(module: Any, file: File, *, check: bool | float = ROUNDED) -> tuple
     >>> interop.read_tum(cayley2, StringIO("0.5 1 2 3 0 0 0 1"))
     (array([0.5]), array([[0.  , 0.  , 0.  , 0.25, 0.5 , 0.75]]))
     """
-    require_poses(module)
+    vector_size(module, poses=True)
     places, rows = table(file, TUM)
     return rows[:, 0], vectors(module, places, rows[:, 1:4], rows[:, 4:], check)
 
@@ -92,6 +93,8 @@ def write_tum(module: Any, file: File, t: ArrayLike, v: ArrayLike) -> None:
     >>> interop.write_tum(cayley2, sys.stdout, [0.5], [[0, 0, 0, 0.25, 0.5, 0.75]])
     0.5 1.0 2.0 3.0 0.0 0.0 0.0 1.0
     """
+    if np.ndim(t) > np.ndim(v):
+        raise ValueError(f"expected times t (T,), then vectors v (T, 6), got {np.shape(t)}, then {np.shape(v)}")
     poses = position_quaternions(module, "v", v)
     write(file, np.column_stack([finite("t", t, poses.shape[:1], rows=True), poses]).tolist())
 
@@ -123,7 +126,7 @@ def read_kitti(module: Any, file: File, *, check: bool | float = ROUNDED) -> Arr
     >>> interop.read_kitti(cayley2, StringIO("1 0 0 1 0 1 0 2 0 0 1 3"))
     array([[0.  , 0.  , 0.  , 0.25, 0.5 , 0.75]])
     """
-    require_poses(module)
+    vector_size(module, poses=True)
     places, rows = table(file, KITTI)
     matrices = np.tile(np.eye(4), (len(rows), 1, 1))
     matrices[:, :3] = rows.reshape(-1, 3, 4)
@@ -153,8 +156,8 @@ def write_kitti(module: Any, file: File, v: ArrayLike) -> None:
     >>> interop.write_kitti(cayley2, sys.stdout, [[0, 0, 0, 0.25, 0.5, 0.75]])
     1.0 0.0 0.0 1.0 0.0 1.0 0.0 2.0 0.0 0.0 1.0 3.0
     """
-    require_poses(module)
-    poses = module.pose(finite("v", v, (len(np.asarray(v)), 6), rows=True))
+    vector_size(module, poses=True)
+    poses = module.pose(rows_of("v", v))
     write(file, finite("pose", poses[:, :3].reshape(-1, 12), (len(poses), 12), rows=True).tolist())
 
 
@@ -187,14 +190,14 @@ def read_euroc(module: Any, file: File, *, check: bool | float = ROUNDED) -> tup
     >>> interop.read_euroc(cayley2, StringIO("1403636580838555648,1,2,3,1,0,0,0"))
     (array([1403636580838555648]), array([[0.  , 0.  , 0.  , 0.25, 0.5 , 0.75]]))
     """
-    require_poses(module)
+    vector_size(module, poses=True)
     places, ns, rows = [], [], []
     for place, fields in lines(file):
         places.append(place)
         ns.append(whole(place, "timestamp", fields[0]))
         rows.append(numbers(place, fields[1:8], EUROC))
     poses = np.array(rows, float).reshape(-1, 7)
-    v = vectors(module, places, poses[:, :3], poses[:, [4, 5, 6, 3]], check)
+    v = vectors(module, places, poses[:, :3], poses[:, 3:], check, EUROC)
     return np.array(ns, np.int64), v
 
 
@@ -236,10 +239,13 @@ def whole(place: str, name: str, text: str) -> int:
         raise ValueError(f"{place}: {name} must be a whole number of 64 bits, got {text!r}") from None
 
 
-def vectors(module: Any, places: Sequence[str], xyz: Array, xyzw: Array, check: bool | float) -> Array:
-    """Return the vectors of positions and quaternions with the scalar last, after a check of the norms."""
-    require_rows(UNIT, xyzw, places, check)
-    return from_ros(module, xyz, xyzw)
+def vectors(
+    module: Any, places: Sequence[str], xyz: Array, q: Array, check: bool | float, layout: str = QUATERNION
+) -> Array:  # fmt: skip
+    """Return the vectors of positions and quaternions, in the order of a layout, after a check of the norms."""
+    names = layout.split()[3:]
+    require_rows(replace(ROTATION_LAWS["from_quaternion"], argument=" ".join(names)), q, places, check)
+    return from_ros(module, xyz, q if names[-1] == "qw" else np.roll(q, -1, axis=-1))
 
 
 def require_rows(law: Law, rows: Array, places: Sequence[str], check: bool | float) -> None:
@@ -257,9 +263,17 @@ def require_rows(law: Law, rows: Array, places: Sequence[str], check: bool | flo
 
 def position_quaternions(module: Any, name: str, v: ArrayLike) -> Array:
     """Return positions and quaternions with the scalar last, side by side, after a check that they are finite."""
-    require_poses(module)
-    poses = np.concatenate(to_ros(module, finite(name, v, (len(np.asarray(v)), 6), rows=True)), axis=-1)
+    vector_size(module, poses=True)
+    poses = np.concatenate(to_ros(module, rows_of(name, v)), axis=-1)
     return finite(f"pose of {name}", poses, poses.shape, rows=True)
+
+
+def rows_of(name: str, v: ArrayLike) -> Array:
+    """Return vectors, one in each row, after a check of their shape and values."""
+    shape = np.shape(v)
+    if len(shape) != 2:
+        raise ValueError(f"{name} must have shape (T, 6), a row for each pose, got {shape}")
+    return finite(name, v, (shape[0], 6), rows=True)
 
 
 def write(file: File, rows: Iterable[Sequence[object]]) -> None:
@@ -273,4 +287,6 @@ def _opened(file: File, mode: str) -> AbstractContextManager[IO[str]]:
     if isinstance(file, (str, PathLike)):
         encoding = "utf-8-sig" if mode == "r" else "utf-8"
         return Path(fspath(file)).open(mode, encoding=encoding, errors="replace", newline=None if mode == "r" else "\n")
+    if not hasattr(file, "write" if mode == "w" else "read"):
+        raise TypeError(f"file must be a path or a text file, got {file!r}")
     return nullcontext(file)

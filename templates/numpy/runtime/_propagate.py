@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ._arguments import FRAMES, Frame, finite, increasing, require_one_of
+from ._arguments import FRAMES, Frame, finite, increasing, require_one_of, vector_size
 from ._branches import precision, require_symmetric
 from ._kernel import Array
 from ._motion import Motion, MotionError
@@ -99,8 +99,7 @@ def propagate(
         from ._trajectory import Trajectory
     except ModuleNotFoundError as error:
         raise ImportError('dualcay.propagate needs SciPy: pip install "scipy>=1.16"') from error
-    if not hasattr(module, "from_exponential") or len(module.identity()) != 6:
-        raise TypeError(f"module must be a kernel module of poses, as cayley2 is, got {module!r}")
+    vector_size(module, poses=True)
     for name, value, allowed in (("frame", frame, FRAMES), ("method", method, tuple(FORMS)),
                                  ("integrator", integrator, INTEGRATORS)):  # fmt: skip
         require_one_of(name, value, allowed)

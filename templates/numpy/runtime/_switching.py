@@ -9,6 +9,7 @@ from typing import Any, Literal, overload
 import numpy as np
 from numpy.typing import ArrayLike
 
+from ._arguments import vector_size
 from ._kernel import Array
 from ._runtime import as_array
 from ._sequences import continued
@@ -87,12 +88,12 @@ def switch_event(module: ChartModule, state: Any = slice(0, 6), angle: float | N
             t0, y0 = piece.t[-1], piece.y[:, -1]
             y0[:6] = cayley2.switch(y0[:6])
     """
-    first, limit = float(module.singular_angles()[0]), switch_angle(module)
+    size, first, limit = vector_size(module), float(module.singular_angles()[0]), switch_angle(module)
     if angle is not None:
         if not pi <= angle < first:
             raise ValueError(f"angle must be from π to below {first:.6g}, got {angle!r}")
         limit = max(angle, pi + 1e-9)  # at π itself `switch` keeps the side that is given
-    axis = np.zeros(len(module.identity()))
+    axis = np.zeros(size)
     axis[0] = limit
     square = float(module.from_exponential(axis)[0]) ** 2
     begun = False
@@ -172,7 +173,7 @@ def unwrap(
     >>> np.allclose(unwrap(exponential, exponential.principal(turning)), turning)
     True
     """
-    shape, n = np.shape(v), len(module.identity())
+    shape, n = np.shape(v), vector_size(module)
     if len(shape) < 2 or shape[-1] != n:
         raise ValueError(f"v must have shape (T, ..., {n}), got {shape}")
     if tolerance is not None and not 0 <= tolerance <= 1:

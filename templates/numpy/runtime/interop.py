@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
+from ._arguments import vector_size
 from ._kernel import Array
 from ._other_vectors import (
     from_cayley_4x4,
@@ -22,7 +23,7 @@ from ._other_vectors import (
 )
 from ._pose_files import read_euroc, read_kitti, read_tum, write_kitti, write_tum
 from ._pose_graph import PoseGraph, read_g2o, write_g2o
-from ._ros import from_ros, from_ros_message, require_poses, to_ros, to_ros_message
+from ._ros import from_ros, from_ros_message, to_ros, to_ros_message
 
 __all__ = [
     "PoseGraph", "from_cayley_4x4", "from_linear_angular", "from_linear_angular_matrix", "from_rigid_transform",
@@ -59,6 +60,7 @@ def to_rotation(module: Any, v: ArrayLike) -> Any:
     >>> to_rotation(cayley2, [0.1, 0.2, 0.3]).as_mrp()
     array([0.1, 0.2, 0.3])
     """
+    vector_size(module)
     return _scipy("Rotation").from_quat(module.quaternion(v)[..., :4], scalar_first=True)
 
 
@@ -87,8 +89,8 @@ def from_rotation(module: Any, rotation: Any, branch: int = 0) -> Array:
     >>> from_rotation(exponential, Rotation.from_rotvec([0.1, 0.2, 0.3]))
     array([0.1, 0.2, 0.3])
     """
-    q = rotation.as_quat(scalar_first=True)
-    if len(module.identity()) == 6:
+    size, q = vector_size(module), rotation.as_quat(scalar_first=True)
+    if size == 6:
         q = np.concatenate([q, np.zeros_like(q)], axis=-1)
     return np.asarray(module.from_quaternion(q, branch))
 
@@ -122,7 +124,7 @@ def to_rigid_transform(module: Any, v: ArrayLike) -> Any:
     >>> np.allclose(to_rigid_transform(cayley3, v).as_matrix(), cayley3.pose(v))
     True
     """
-    require_poses(module)
+    vector_size(module, poses=True)
     return _scipy("RigidTransform").from_dual_quat(module.quaternion(v), scalar_first=True)
 
 
@@ -151,7 +153,7 @@ def from_rigid_transform(module: Any, transform: Any, branch: int = 0) -> Array:
     >>> from_rigid_transform(exponential, RigidTransform.from_translation([1, 2, 3]))
     array([0., 0., 0., 1., 2., 3.])
     """
-    require_poses(module)
+    vector_size(module, poses=True)
     return np.asarray(module.from_quaternion(transform.as_dual_quat(scalar_first=True), branch))
 
 

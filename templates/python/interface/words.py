@@ -1,9 +1,9 @@
 WORDS = {
-    "pose tensor": "exp exp6 exp3 expm expmap as_matrix to_matrix matrix homogeneous",
+    "pose tensor": "exp exp6 exp3 expm expmap matrix homogeneous",
     "from_pose from_tensor": "log log6 log3 logm logmap from_matrix",
-    "quaternion": "as_quat to_quat quat",
+    "quaternion": "quat",
     "from_quaternion": "from_quat",
-    "to_exponential": "as_rotvec as_exp_coords",
+    "to_exponential": "rotvec exp_coords",
     "from_exponential": "from_rotvec from_exp_coords",
     "inverse": "inv",
     "compose": "mul multiply product",
@@ -21,4 +21,6 @@ WORDS = {
 }
 """Functions, and words of other libraries for them in small letters. Of two functions, rotations have the latter."""
 
-OF_WORD = {word: functions.split() for functions, words in WORDS.items() for word in words.split()}
+OF_WORD = {
+    word: functions.split() for functions, words in WORDS.items() for word in (*words.split(), functions.split()[0])
+}

@@ -146,26 +146,30 @@ def test_rows_of_an_environment_are_equations_with_the_comments_after_their_firs
 
 
 COMMENTS = [
-    ("clam a == b", "expected letters, definition, claim"), ("", "got ''"), ("letters v", "expected a name"),
-    ("letters v = vectr", "no kind 'vectr'"), ("letters v = real; v = vector", "v has another meaning in line 3"),
-    ("definition G(v = v", "a definition is a name"), ("definition G = 2 +", "is no expression"),
-    ("claim", "expected a text after claim"),
-    ("claim [nowhere] 1 == 1", "no equation with the label nowhere"), ("claim x ==== 1", "is no expression"),
-    ("claim __import__('os').system('true') == 1", "not understood"),
+    (": clam a == b", "expected letters, definition, claim"), (":", "got ''"), (": letters v", "expected a name"),
+    (": letters v = vectr", "no kind 'vectr'"), (": letters v = real; v = vector", "v has another meaning in line 3"),
+    (": definition G(v = v", "a definition is a name"), (": definition G = 2 +", "is no expression"),
+    (": claim", "expected a text after claim"),
+    (": claim [nowhere] 1 == 1", "no equation with the label nowhere"), (": claim x ==== 1", "is no expression"),
+    (": claim __import__('os').system('true') == 1", "not understood"),
+    (" claim 1 == 1", "expected a colon"), ("\tletters v = real", "expected a colon"),
 ]  # fmt: skip
 
 
 @pytest.mark.parametrize(("text", "message"), COMMENTS)
 def test_wrong_comment_is_a_problem_at_its_line(text: str, message: str, tmp_path: Path) -> None:
-    file = written(tmp_path, "a.tex", f"$$1 = 1$$\n\n% dualcay: {text}\n")
+    file = written(tmp_path, "a.tex", f"$$1 = 1$$\n\n% dualcay{text}\n")
     problem = load(file).problems[0]
     assert (problem.file, problem.line) == (str(file), 3)
     assert message in str(problem)
 
 
-def test_comment_before_all_equations_has_none(tmp_path: Path) -> None:
-    _, [(_, error)] = content(written(tmp_path, "a.tex", "% dualcay: claim 1 == 1\n$$1 = 1$$"))
-    assert "no displayed equation stands before" in error.message
+def test_comment_before_all_equations_has_none_and_is_no_unread_equation(tmp_path: Path) -> None:
+    file = written(tmp_path, "a.tex", "% dualcay: claim 1 == 1\n$$1 = 1$$")
+    done = dualcay("verify", str(file))
+    assert "no displayed equation stands before" in done.stderr
+    assert done.stdout.endswith("0 decided, 1 unread, 1 not understood\n")
+    assert "paper" not in done.stdout, "a table of nothing"
 
 
 OUTSIDE = ("../other/out", "sub/../../other/out", "/etc/passwd", "C:/a", r"\jobname", "", "link", "folder/out", "none",

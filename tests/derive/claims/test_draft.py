@@ -26,6 +26,7 @@ READ = {
     r"\|v\|^2 = v\cdot v = v^\top v": "norm(v)**2 == dot(v, v) == transpose(v)*v",
     r"\tfrac12 b + \frac{1}{2} b \leq |b|": "1/2*b + 1/2*b <= norm(b)",
     r"R^{-1} = R^T": "R**(-1) == transpose(R)", r"\dot R = R\,\tilde w": "rate(R) == R*skew(w)",
+    r"A = \cos\theta I": "A == cos(theta)*I",
     r"v_1 \times (v \times w) = \operatorname{tr} A \, v": None,
     r"\operatorname{tr}(A) \neq \det A": "trace(A) != det(A)", "b^12 = b": "b**1*2 == b",
     r"G(v, w)\, n = \sqrt{b^2}\, G(w, v)\, n": "G(v, w)*n == sqrt(b**2)*G(w, v)*n",
@@ -97,6 +98,7 @@ def test_sign_that_is_read_as_another_one_is_found_by_the_print(
 def test_letter_printed_in_two_ways_is_not_read(tmp_path: Path) -> None:
     _, rows = drafted(tmp_path, r"\mathbf{v} \times w = 0", r"v = |\mathbf v|", r"w \times w = 0")
     assert [getattr(row, "number", None) for row in rows] == ["line 4", None, None]
+    assert (tmp_path / "sheet.toml").read_text().count("the letter v is printed in several ways") == 2
 
 
 def test_every_part_of_a_draft_is_text(tmp_path: Path) -> None:

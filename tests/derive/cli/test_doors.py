@@ -24,7 +24,8 @@ TRUE, FALSE, UNREAD = map(SHEET.format, ("x == x", "x == x + 1", "x = x"))
     [
         ({"a b.toml": TRUE, "c/d/e.toml": FALSE}, "**/*.toml", "", 0, "2 decided, 0 unread: 1 false, 1 holds"),
         ({"a b.toml": FALSE}, "a b.toml", "yes", 1, "1 decided, 0 unread: 1 false"),
-        ({"a.toml": UNREAD, "b.toml": TRUE}, "b.toml\na.toml\n", "yes", 2, "1 decided, 1 unread: 1 holds"),
+        ({"a.toml": UNREAD, "b.toml": TRUE}, "b.toml\na.toml\n", "yes", 2,
+         "1 decided, 0 unread, 1 not understood: 1 holds"),
         ({}, "*.toml", "", 2, "nothing was decided"), ({}, "a.toml", "", 3, "could not decide: see the log"),
     ],
 )  # fmt: skip

@@ -92,3 +92,14 @@ def test_help_and_version_need_no_libraries(arguments: tuple[str, ...]):
     version = {"--version", "-V"} & set(arguments)
     assert ('pip install ".[derive]"' in done.stdout) == (not version)
     assert done.stdout.count("\n") <= 4
+
+
+def test_names_of_the_toolkit_say_what_they_need():
+    code = (
+        "import sys\nfrom derive.__main__ import NEEDED\nsys.modules |= dict.fromkeys(NEEDED)\nimport derive\n"
+        "for name in derive._HOMES:\n    try:\n        getattr(derive, name)\n"
+        "    except ModuleNotFoundError as error:\n        print(error.name in NEEDED, error)"
+    )
+    lines = in_a_process(code=code).stdout.splitlines()
+    assert len(lines) == len(derive._HOMES)
+    assert all(line.startswith("True derive.") and 'pip install ".[derive]"' in line for line in lines)

@@ -33,6 +33,7 @@ REFUSED = [
     ("show --family lambert --what p", "only Cayley maps have p, not lambert"),
     ("show --family lamb", "a family is one of"),
     ("show --phi alpha**2", "not odd by its structure"),
+    ("show --phi alpha²", "'²' (write ** for a power)"),
     ("show --what sheet", SHEET),
     ("show --what sheet -o sheet.txt", SHEET),
     ("show --what sheet -n 2 -o sheet.pdf", "no chart, no --format"),
@@ -53,6 +54,7 @@ REFUSED = [
     ("verify --data", "--data needs the file that -o names"),
     ("verify --claim 'v*v == 1' --let v=vector", "column 1"),
     ("check 'v*v == 1' --let v=vector", "column 1"),
+    ("check paper.tex", "expected a claim, got the name of a file: dualcay verify paper.tex"),
     ("verify --claim 'v == v' --let v", "expected NAME=KIND"),
     ("verify --let v=vector", "belong to --claim"),
     ("verify --claim 'v == v' --let v=vectr", "expected vector"),
@@ -86,7 +88,7 @@ REFUSED = [
 
 
 @pytest.mark.parametrize(
-    ("code", "line", "message"), [*((2, *one) for one in REFUSED), (3, "verify missing.toml", "No such file")]
+    ("code", "line", "message"), [*((2, *one) for one in REFUSED), (3, "verify a.toml", "a.toml: No such file")]
 )
 def test_refusal_is_a_message_and_an_exit_code(tmp_path: Path, code: int, line: str, message: str) -> None:
     done = dualcay(*shlex.split(line), cwd=tmp_path)

@@ -46,7 +46,8 @@ def test_files_are_written_checked_and_reported_stale(tmp_path: Path) -> None:
     done = dualcay(*write)
     assert (done.returncode, done.stdout) == (0, "")
     assert done.stderr == f"{page}: 2 decided, 0 unread: 1 erratum, 1 holds-if\n"
-    assert dualcay(*write, "--check").returncode == 0
+    done = dualcay(*write, "--check")
+    assert (done.returncode, done.stderr) == (0, f"{page}: up to date\n")
     facts = json.loads(page.with_suffix(".json").read_text(encoding="utf-8"))
     assert [row["status"] for row in facts["equations"]] == ["erratum", "holds-if"]
     for file in (page, page.with_suffix(".json")):
@@ -92,6 +93,7 @@ for given in ("--claim", "1 == 2"), ("--eq", "112"):
 def test_claims_load_no_charts_theorems_and_papers_and_one_equation_no_code_generator() -> None:
     done = in_a_process(code=LOADED, COLUMNS="120")
     assert "where they differ" in done.stdout
+    assert "\nclaim: false\n" in done.stdout
     assert "refuted at point 1 of short numbers" in done.stdout
     assert "proofs" not in done.stdout  # no theorem concerns this equation
     claim, equation = (ast.literal_eval(line) for line in done.stdout.splitlines() if line.startswith("{"))

@@ -144,10 +144,11 @@ def test_series_of_functions(name: str) -> None:
 REFUSED = (
     ("v*w == 1", 1, "write dot, cross"), ("foo(v) == 1", 1, "unknown operation 'foo'"), ("v + 1", 1, "a relation"),
     ("__import__('os') == 1", 1, "__import__"), ("v.x == 1", 1, "'v.x'"), ("(lambda: 1)() == 1", 1, "lambda"),
-    ("x == 9**9**9", 9, "too large"), ("x**99 == 1", 4, "up to 64"), ("x^2 == 1", 1, "a power is **"),
+    ("x == 9**9**9", 9, "too large"), ("x**99 == 1", 4, "up to 64"), ("x^2 == 1", 1, "(write ** for a power)"),
     ("dot(x, v) == 1", 1, "columns of one size"),
     ("skew(x) == I", 6, "skew takes a vector"), ("cross(v) == v", 1, "takes 2 arguments"), ("z == v", 1, "letter 'z'"),
-    ("x = 1", 3, "a relation is =="), ("x == a/0", 8, "division by zero"), ("[1] == x", 1, "list"),
+    ("x = 1", 3, "a relation is =="), ("v.T == 1", 1, "write transpose(…)"), ("R@v == v", 1, "write * for a product"),
+    ("x == a/0", 8, "division by zero"), ("[1] == x", 1, "list"),
     ("entry(v, 4) == 1", 10, "from 1 to 3"), ("matrix([[1], [2, 3]]) == I", 1, "different lengths"),
     ("'a' == x", 1, "'a'"), ("v < w", 5, "an inequality takes numbers"), ("not v", 5, "a relation is expected"),
     ("R == q", 6, "compared with a quaternion"), ("R + v == R", 1, "has no meaning"), ("v/R == v", 1, "write inverse"),

@@ -74,7 +74,7 @@ def report() -> Report:
 def test_commands_of_github_carry_every_remark_in_one_line_each(report: Report):
     *lines, last = FORMATS["github"](report).splitlines()
     statuses = ("false", "erratum", "undecided", "unrefuted", "ambiguous", "holds-if", "holds")
-    assert last == f"15 decided, 1 unread: {', '.join(f'3 {status}' for status in statuses)}"
+    assert last == f"15 decided, 0 unread, 1 not understood: {', '.join(f'3 {status}' for status in statuses)}"
     for line, remark in zip(lines, remarks(report), strict=True):
         assert not re.search(r"[\r\n]|%(?!25|0D|0A|3A|2C)", line)
         weight, properties, text = re.fullmatch(r"::(\w+) ([^:]*)::(.*)", line).groups()
@@ -90,7 +90,7 @@ def test_commands_of_github_carry_every_remark_in_one_line_each(report: Report):
 RULE, PLACE = "runs.tool.driver.rules.", "runs.results.locations.physicalLocation."
 REQUIRED = {
     "$schema", "version", "runs.tool.driver.name", "runs.tool.driver.version", "runs.properties.decided",
-    "runs.properties.unread", *(f"{RULE}{member}" for member in (
+    "runs.properties.unread", "runs.properties.not understood", *(f"{RULE}{member}" for member in (
         "id", "shortDescription.text", "fullDescription.text", "help.text", "defaultConfiguration.level")),
     *(f"runs.results.{member}" for member in ("ruleId", "ruleIndex", "level", "message.text")),
     f"{PLACE}artifactLocation.uri", f"{PLACE}region.startLine",
@@ -138,6 +138,6 @@ def test_a_claim_stands_where_it_is_printed_if_that_file_is_there(tmp_path: Path
     found = re.findall(r"^::error file=(.*?),line=(\d+)", done.stdout, re.M)
     places = [("two/claims.toml", "7"), ("one/paper.tex", "41"), ("two/notes.md", "3"), ("bad.toml", "1")]
     assert (done.returncode, found) == (2, places)
-    assert done.stdout.endswith("\n3 decided, 2 unread: 3 false\n")
+    assert done.stdout.endswith("\n3 decided, 1 unread, 1 not understood: 3 false\n")
     shutil.rmtree(tmp_path / "one")
     assert "::error file=bad.toml,line=1" in dualcay("verify", "--format", "github", "bad.toml", cwd=tmp_path).stdout
