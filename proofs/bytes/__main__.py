@@ -27,7 +27,6 @@ from derive.output import files
 from derive.workers import SlowError, run, scratch
 
 from ..statements import MachineError
-from .equality import Equality
 from .functions import Source, charts
 from .program import Program
 from .proof import DECLINED, DIFFERENT, EQUAL, Proof, Verdict
@@ -97,9 +96,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
         with relaxed_gc():
             for chart, real in product(chosen.chart or charts(chosen.folder), chosen.real or TYPES):
                 source = Source(chosen.folder, chart, Trees(real))
-                equality = Equality(source.trees)
                 for compiler in chosen.cc or [os.environ.get("CC", "gcc")]:
-                    found = _proved(chosen, source, equality, compiler, real)
+                    found = _proved(chosen, source, compiler, real)
                     total += found
                     lines.append(row(chart, real, compiler, *counts(found)))
                     print(lines[-1], flush=True)
@@ -117,13 +115,11 @@ def main(arguments: Sequence[str] | None = None) -> int:
     return any(each.verdict == DIFFERENT for each in total)
 
 
-def _proved(
-    chosen: argparse.Namespace, source: Source, equality: Equality, compiler: str, real: str
-) -> list[Verdict]:
+def _proved(chosen: argparse.Namespace, source: Source, compiler: str, real: str) -> list[Verdict]:
     with scratch() as build:
         command = [*shlex.split(compiler), *shlex.split(chosen.flags)]
         file = chosen.disassembly or compiled(chosen.folder, source, real, command, build)
-        return list(Proof(source, Program(file), equality).verdicts(chosen.function))
+        return list(Proof(source, Program(file)).verdicts(chosen.function))
 
 
 if __name__ == "__main__":

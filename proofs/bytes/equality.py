@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from .order import Fact, Facts, Order
+from .order import Fact, Facts, Order, in_order
 from .trees import CHOICES, LEAVES, RELATIONS, Declined, Tree, Trees, same, unsigned
 
 SCALES = np.array([1.0, 1.0, 0.1, 3.0, 1e-4, 10.0, 0.0, 1e-9])  # of samples
@@ -75,7 +75,7 @@ class Equality:
         if not (isinstance(a, Tree) and isinstance(b, Tree)) or a is b:
             return frozenset() if same(a, b) else None
         pairs = a.pairs | b.pairs
-        for pair, place in facts:
+        for pair, place in in_order(facts):
             if pair in pairs:  # it came again when another pair was known
                 return self._in_case_reason(a, b, pair, place, facts)
         for reason in self.reasons.setdefault((a, b), []):
@@ -162,7 +162,7 @@ class Equality:
 
     def _equal_by_values(self, a: Tree, b: Tree, facts: Facts) -> Facts | None:
         """Compare two trees without choices where numbers in them are known, as those that came of a choice."""
-        for case in facts if not (a.pairs or b.pairs) else ():
+        for case in in_order(facts) if not (a.pairs or b.pairs) else ():
             if self._values(*case)[1] and (self._in_case(a, *case) is not a or self._in_case(b, *case) is not b):
                 return self._in_case_reason(a, b, *case, facts)
         return None
@@ -181,8 +181,8 @@ class Equality:
 
     def _consequences(self, facts: Facts, case: Fact) -> Iterator[tuple[Fact | None, Facts]]:
         """Yield what facts and a new case say by each other, with these two; None stands for a contradiction."""
-        others = facts if self._values(*case)[1] else ()
-        values = (fact for fact in facts if self._values(*fact)[1])
+        others = in_order(facts) if self._values(*case)[1] else ()
+        values = (fact for fact in in_order(facts) if self._values(*fact)[1])
         for (pair, place), other in chain(((fact, case) for fact in others), ((case, fact) for fact in values)):
             parts = [self._in_case(part, *other) for part in pair.parts]
             if any(part is not old for part, old in zip(parts, pair.parts, strict=True)):

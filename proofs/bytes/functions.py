@@ -12,6 +12,7 @@ from pycparser import c_ast
 from derive.codegen.validation.c_interpreter import UNSET, CError, Pointer, load
 
 from ..statements import MachineError
+from .equality import Equality
 from .numbers import Number, Truth
 from .trees import Declined, Tree, Trees
 
@@ -55,6 +56,7 @@ class Source:
     def __init__(self, folder: Path, chart: str, trees: Trees) -> None:
         files = [f"{chart}.h", *(f"rotation/{chart}.h" for _ in [0] if (folder / "rotation" / f"{chart}.h").is_file())]
         self.text, self.trees = "".join(f'#include "{name}"\n' for name in files), trees
+        self.equality = Equality(trees)  # of all compilers: their trees have much in common
         self.found: dict[tuple[Signature, bool, int], list[Tree]] = {}
         try:
             self.unit = load(self.text, folder, {"DUALCAY_FUNCTION": ""}, constant=self._constant, choose=_choose)

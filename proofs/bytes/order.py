@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Hashable, Iterator
+from collections.abc import Hashable, Iterable, Iterator
 from itertools import chain, pairwise
 
 from .trees import RELATIONS, Tree, Trees, unsigned
@@ -13,6 +13,11 @@ Fact = tuple[Tree, int]
 Facts = frozenset[Fact]
 Edge = tuple[Hashable, Hashable, bool]
 """Number that is less than another one, or at most equal."""
+
+
+def in_order(facts: Iterable[Fact]) -> list[Fact]:
+    """Return facts in one order, that of their pairs, which no address in memory changes."""
+    return sorted(facts, key=lambda each: (each[0].rank, each[1]))
 
 
 class Order:
@@ -25,10 +30,10 @@ class Order:
 
     def contradiction(self, facts: Facts, new: Fact) -> Facts | None:
         """Return facts that contradict each other, the new one among them, or None if there is no such cycle."""
-        for each in facts | {new}:
+        for each in in_order(facts | {new}):
             if RELATIONS[each[1] - 1] == "unordered" and (found := self._numbers(facts | {new}, each)) is not None:
                 return found
-        every = {each: self._edges(each) for each in self._related(facts, new)}
+        every = {each: self._edges(each) for each in in_order(self._related(facts, new))}
         after = dict[Hashable, list[tuple[Hashable, bool, Facts]]]()
         for fact, edges in every.items():
             for low, high, less in edges:
@@ -78,7 +83,7 @@ class Order:
         """Return the facts by which a tree is not NaN: each operand of a number is one."""
         if tree.kind == "const":
             return None if math.isnan(self.trees.value(tree)) else Facts()
-        for each in facts:
+        for each in in_order(facts):
             if tree in self._operands(each):
                 return frozenset({each})
         if tree.kind not in ("neg", "abs", "sqrt", "add", "mul") or (tree.kind == "sqrt" and not unsigned(tree)):

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from .equality import Equality, difference
+from .equality import difference
 from .functions import Signature, Source, given
 from .machine import Machine
 from .program import Program
@@ -35,9 +35,9 @@ class Proof:
 
     source: Source
     program: Program
-    equality: Equality
 
     def __post_init__(self) -> None:
+        self.equality = self.source.equality
         self.machine = Machine(self.program, self.source.trees)
 
     def verdicts(self, chosen: str = "") -> Iterator[Verdict]:

@@ -3,8 +3,8 @@
 Two programs whose trees are one object compute the same bits. Trees are brought to a normal form by identities that
 hold for every float, infinities, signed zeros and NaN included; only sign and payload of a NaN are left open:
 a + b = b + a, a b = b a, a - b = a + (-b), (-a) b = -(a b), (-a) / b = -(a / b), 2 a = a + a, 1 a = a, a + (-0) = a,
-(-a) + (-b) = -(a + b) for equal numbers and for sums of squares, c - (a + b) = c + ((-a) + (-b)) for a constant c that is not 0, a / 2^k = a 2^-k, |-a| = |a|,
-|a| = a for sums of squares, and values of constants.
+(-a) + (-b) = -(a + b) for equal numbers and for sums of squares, c - (a + b) = c + ((-a) + (-b)) for a constant c that
+is not 0, a / 2^k = a 2^-k, |-a| = |a|, |a| = a for sums of squares, and values of constants.
 """
 
 from __future__ import annotations

@@ -5,17 +5,19 @@ import shutil
 import subprocess
 import sys
 from collections.abc import Callable
+from itertools import pairwise
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from proofs.bytes.__main__ import FLAGS, MARK, compiled, main
-from proofs.bytes.equality import Equality
+from proofs.bytes.equality import SCALES, Equality
 from proofs.bytes.functions import Source
 from proofs.bytes.numbers import Number
 from proofs.bytes.program import Program
 from proofs.bytes.proof import DECLINED, DIFFERENT, EQUAL, Proof, Verdict
-from proofs.bytes.trees import Trees
+from proofs.bytes.trees import RELATIONS, Tree, Trees
 from proofs.emitted import printed
 from proofs.statements import MachineError
 
@@ -161,6 +163,50 @@ def test_what_holds_in_one_case_is_not_taken_for_all(monkeypatch: pytest.MonkeyP
     other = first.choose(e, f) + second.choose(h, (g * a < b).choose(h, c))  # the same where a < b
     monkeypatch.setattr(Equality, "alike_at_samples", lambda *_: True)
     assert not Equality(trees).equal(one.tree, other.tree)
+
+
+def relations(equality: Equality, pairs: list[Tree], place: int) -> list[tuple[Tree, int]]:
+    """Return the relations in which numbers stand at a sample."""
+    return [(pair, int(equality._relation(pair)[place])) for pair in pairs]
+
+
+def test_relations_of_numbers_never_contradict_each_other() -> None:
+    trees = Trees("double")
+    equality, chance = Equality(trees), np.random.default_rng(1)
+    numbers = [trees.constant(each) for each in (0, 1, -2)] + [trees.make("given", name, 0, 0) for name in "abcd"]
+    for _ in range(60):
+        kind = [trees.add, trees.sub, trees.mul, trees.div][chance.integers(4)]
+        one, other = (numbers[chance.integers(len(numbers))] for _ in range(2))
+        numbers += [kind(one, other), trees.sqrt(trees.absolute(one)), trees.mul(one, one)][: 1 + chance.integers(3)]
+    drawn = ([numbers[each] for each in chance.integers(len(numbers), size=2)] for _ in range(300))
+    compared = (trees.choose(one, other, {each: each for each in RELATIONS}) for one, other in drawn)
+    pairs = [each.parts[0] for each in compared if isinstance(each, Tree)]
+    for place in range(len(SCALES)):
+        known = frozenset[tuple[Tree, int]]()
+        for fact in relations(equality, pairs, place):
+            assert equality.order.contradiction(known, fact) is None
+            for each, _ in equality._consequences(known, fact):
+                assert each in relations(equality, [each[0]] if each else [], place)
+            known |= {fact}
+
+
+def test_relations_that_no_numbers_have_are_found() -> None:
+    trees = Trees("double")
+    a, b, c = (trees.make("given", name, 0, 0) for name in "abc")
+    square = trees.add(trees.mul(a, a), trees.mul(b, b))
+    less, equal, greater, unordered = range(1, 5)
+    pair: Callable[[Tree, Tree], Tree] = lambda x, y: trees.make("pair", x, y)  # noqa: E731
+    for *known, new in (
+        [(pair(a, b), less), (pair(b, c), less), (pair(a, c), greater)],
+        [(pair(a, b), equal), (pair(a, trees.negated(c)), less), (pair(b, trees.negated(c)), greater)],
+        [(pair(trees.constant(0), square), greater)],
+        [(pair(trees.constant(1), a), less), (pair(a, trees.constant(1 / 2)), less)],
+        [(pair(trees.constant(0), square), less), (pair(a, b), unordered)],
+        [(pair(a, b), unordered), (pair(trees.constant(0), square), less)],
+    ):
+        order = Equality(trees).order
+        assert order.contradiction(frozenset(known), new) is not None
+        assert all(order.contradiction(frozenset({one}), other) is None for one, other in pairwise(known))
 
 
 X86, ARM = "gcc", "aarch64-linux-gnu-gcc"
