@@ -35,7 +35,7 @@ class Equality:
         if isinstance(a, Tree) and isinstance(b, Tree) and a is not b:
             self._index(a)
             b = self._swept(b)
-        return self._reason(a, b, frozenset()) is not None
+        return self._reason(a, b, Facts()) == Facts()
 
     def _index(self, tree: Any) -> None:
         """Gather the parts of a text that depend on choices, by their values at samples."""
@@ -169,12 +169,16 @@ class Equality:
 
     def _new_case_reason(self, a: Tree, b: Tree, case: Fact, facts: Facts) -> Facts | None:
         """Return the facts by which two trees are equal in a new case, or by which there are no such numbers."""
-        sources, found = dict[Fact, Facts](), None
+        sources = dict[Fact, Facts]()
+        found: Facts | None
         for fact, source in [(case, frozenset({case})), *self._consequences(facts, case)]:
-            if (found := self.order.contradiction(facts, fact) if fact else source) is not None:
+            if fact is None:
+                found = source
                 break
-            if fact:
-                facts, sources = facts | {fact}, {**sources, fact: source}
+            sources[fact] = source
+            if (found := self.order.contradiction(facts, fact)) is not None:
+                break
+            facts |= {fact}
         else:
             found = self._in_case_reason(a, b, *case, facts)
         return None if found is None else frozenset().union(*(sources.get(each, {each}) for each in found))
