@@ -213,6 +213,13 @@ def test_imports_inside_the_package_are_relative_or_allowed(path: Path) -> None:
             assert top in allowed, f"{path.name} imports {name}"
 
 
+FORMER = b"""class Same:
+    def __ne__(self, other): return False
+PROGRAMS = Same()
+"""
+"""Build of a former release: the same programs, without functions for direct calls."""
+
+
 def test_stale_or_broken_build_is_ignored_with_one_warning(tmp_path: Path) -> None:
     folder = tmp_path / "dualcay_native"
     folder.mkdir()
@@ -220,6 +227,7 @@ def test_stale_or_broken_build_is_ignored_with_one_warning(tmp_path: Path) -> No
     (folder / "cayley2.py").write_text("PROGRAMS = 'others'\n", encoding="utf-8")
     builds = [
         ("was built of other programs than dualcay.cayley3 holds", "cayley3.py", b"PROGRAMS, DIRECT = 'others', {}"),
+        ("was built of other programs than dualcay.cayley3 holds", "cayley3.py", FORMER),
         ("cannot be loaded: No module named 'missing'", "cayley3.py", b"import missing"),
         ("cannot be loaded", "cayley3.abi3.so", b"no library"),
     ]
@@ -231,3 +239,4 @@ def test_stale_or_broken_build_is_ignored_with_one_warning(tmp_path: Path) -> No
         assert warned.count("RuntimeWarning: ") == 1
         assert f"dualcay_native.cayley3 {reason}" in warned
     assert said(tmp_path, DUALCAY_NATIVE="0") == ("{'numpy'}\n", "")
+    assert said(tmp_path / "none") == ("{'numpy'}\n", "")
