@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import ast
 import importlib.util
 import os
 import re
@@ -152,9 +151,6 @@ def test_folder_of_kernels_is_typed_in_a_users_project(tmp_path: Path, target: s
 
 
 ROOT = Path(__file__).resolve().parents[2]
-SCIPY = ("_solving.py", "_stepping.py", "_trajectory.py", "_twist.py", "interop.py")
-OPTIONAL = {"dask.py": {"dask"}, "plot.py": {"matplotlib"}} | {name: {"scipy"} for name in SCIPY}
-"""Libraries that modules of tools import, by file."""
 
 BLOCK = """
 import sys
@@ -170,22 +166,11 @@ def run(code: str, path: list[Path]) -> str:
     environment = {k: v for k, v in os.environ.items() if k != "PYTHONPATH"}
     if path:
         environment["PYTHONPATH"] = os.pathsep.join(map(str, path))
-    done = subprocess.run(
-        [sys.executable, "-W", "error", "-c", code],
-        cwd=ROOT,
-        env=environment,
-        capture_output=True,
-        text=True,
-    )
+    command = [sys.executable, "-W", "error", "-c", code]
+    done = subprocess.run(command, cwd=ROOT, env=environment, capture_output=True, text=True)
     assert done.returncode == 0, done.stderr
     assert done.stderr == ""
     return done.stdout
-
-
-def test_kernels_need_numpy_alone() -> None:
-    modules = ", ".join(f"cayley{n}" for n in ORDERS)
-    code = BLOCK + f"from dualcay import {modules}, matrix6\nprint(cayley3.pose([0.0] * 6).shape)"
-    assert run(code, [ROOT / "generated"]).strip() == "(4, 4)"
 
 
 def test_members_and_help_need_numpy_alone() -> None:
@@ -198,20 +183,6 @@ def test_a_bare_checkout_imports_through_the_folder() -> None:
     """Import from the repository root, with nothing installed and no extra path."""
     code = BLOCK + "from generated.dualcay import cayley3\nprint(cayley3.__name__, cayley3.quaternion([0.0] * 6)[0])"
     assert run(code, []).split() == ["generated.dualcay.cayley3", "1.0"]
-
-
-@pytest.mark.parametrize("path", sorted((ROOT / "generated" / "dualcay").rglob("*.py")), ids=lambda p: p.name)
-def test_imports_inside_the_package_are_relative_or_allowed(path: Path) -> None:
-    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
-        names = []
-        if isinstance(node, ast.Import):
-            names = [alias.name for alias in node.names]
-        elif isinstance(node, ast.ImportFrom) and node.level == 0:
-            names = [node.module or ""]
-        for name in names:
-            top = name.partition(".")[0]
-            allowed = {"numpy", *sys.stdlib_module_names, *OPTIONAL.get(path.name, ())}
-            assert top in allowed, f"{path.name} imports {name}"
 
 
 FORMER = b"""class Same:
