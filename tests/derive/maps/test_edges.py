@@ -147,6 +147,7 @@ def test_ratio_and_derivatives_near_zero_are_within_the_remainder(chart) -> None
                 assert off * limit**k <= chart.near.remainder * chart.limits[0][0], k
 
 
+@pytest.mark.thorough
 def test_the_length_near_zero_is_within_its_remainder() -> None:
     """Take φ/α and two derivatives by α² of the homochoric vector, which kernels use where α − sin α loses digits."""
     chart: Any = parameterization("(3*(alpha - sin(alpha))/4)**(1/3)", "of_user")
@@ -167,9 +168,8 @@ def test_the_length_near_zero_is_within_its_remainder() -> None:
                 assert off * limit**k <= near.remainder / 2, k
 
 
-@pytest.mark.parametrize(
-    "phi", ["40*sinh(alpha)", pytest.param("1/40*(sin(alpha/2) + alpha/50)", marks=pytest.mark.thorough)]
-)
+@pytest.mark.thorough
+@pytest.mark.parametrize("phi", ["40*sinh(alpha)", "1/40*(sin(alpha/2) + alpha/50)"])
 def test_fits_do_not_depend_on_the_unit_of_v(phi) -> None:
     """Allow a factor of two in remainders, because limits of x are rounded down by up to 25 %."""
     scaled, alone = (parameterization(text, "of_user") for text in (phi, phi.partition("*")[2]))
