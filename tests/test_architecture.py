@@ -111,7 +111,7 @@ def test_imports_inside_functions_are_found():
 def test_kernels_import_numpy_and_the_standard_library_only():
     of_scipy = ("interop.py", "_solving.py", "_stepping.py", "_trajectory.py", "_twist.py")
     tools = dict.fromkeys(of_scipy, "scipy") | {"dask.py": "dask", "plot.py": "matplotlib"}
-    for path in sorted((ROOT / "generated" / "dualcay").glob("*.py")):
+    for path in sorted((ROOT / "generated" / "dualcay").rglob("*.py")):
         outside = {name[0] for name in imported(path)} - {"generated", "numpy", tools.get(path.name)}
         assert outside <= sys.stdlib_module_names
 

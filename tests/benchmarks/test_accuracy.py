@@ -121,20 +121,3 @@ def test_the_search_finds_an_error(monkeypatch: pytest.MonkeyPatch) -> None:
     found = curves.searched(500)
     assert 9 / np.sqrt(3) < found["Q"] < 9 / np.sqrt(3) + 4
     assert 9 / np.sqrt(3) < found["ρ"] < 9 + 4
-
-
-def test_page_names_angles_of_a_less_accurate_exponential() -> None:
-    """Expect a line for errors above both 2 eps and the error of the best library."""
-    count = len(curves.TO_PI)
-    rows = {"exponential": 2.5, "SciPy": 9.0, "jaxlie": 2.6, "n = 2": 0.1}
-    found = {("to pi", part, name): np.full(count, size) for name, size in rows.items() for part in curves.COMPARED}
-    assert curves.behind(found) == []
-    assert curves.standing(found, {})[0].endswith("or 2 eps, whichever is larger.")
-    found["to pi", "log", "jaxlie"][[3, 5]] = 0.5
-    found["to pi", "log°", "exponential"][:] = 1.9
-    found["to pi", "log°", "jaxlie"][:] = 0.5
-    assert [(b.part, b.library, b.least) for b in curves.behind(found)] == [("log", "jaxlie", 0.5)] * 2
-    said = curves.standing(found, {"Q": 3.25})
-    assert "Q 3.5, " in said[0]  # rounded up to a half
-    assert len(said) == 3
-    assert said[2].startswith(f"- log at 2 of {count} angles, from 3.14 to 3.14, most at 3.14: 2.5 eps, jaxlie 0.5")

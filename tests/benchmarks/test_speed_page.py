@@ -11,8 +11,8 @@ from pathlib import Path
 import pytest
 
 from benchmarks import __main__ as command
-from benchmarks import gates, kernels, native, page, slower, tables, times, timing
-from benchmarks.maps import COMPILED, NUMPY, PART, SMALL
+from benchmarks import gates, page, slower, tables, times, timing
+from benchmarks.maps import NUMPY, PART
 from benchmarks.peers import LIBRARIES
 from benchmarks.times import Data, Timed
 
@@ -91,39 +91,6 @@ def test_missed_gates_are_named_first() -> None:
         "pose, exponential, N = 10000: SciPy": True, "pose, n = 2, N = 10000: SciPy": True,
     }  # fmt: skip
     assert [*found.values()] == sorted(found.values())
-
-
-def test_parts_have_gates() -> None:
-    by = {
-        kernels.ON_ROWS: (NUMPY, kernels.LAMBDIFY, kernels.C_FORM, kernels.COPY),
-        native.PART: (native.OURS, native.C_LOOP), kernels.DERIVATIVES: (NUMPY, kernels.CALLED),
-    }  # fmt: skip
-    for part, names in by.items():
-        found = decided(*(of(name, "cayley2", 1.0, part=part) for name in names))
-        assert found
-        assert all(met == (part == native.PART) for met in found.values())
-    assert decided(*(of(by, chart, 1.0, part=SMALL) for by, chart in ((NUMPY, "cayley2"), ("SciPy", "")))) == {
-        "pose, small batches, n = 2, N = 100: SciPy": False
-    }
-    alone = decided(of(COMPILED, "cayley2", 1000.0), of("SciPy", "", 21e3))
-    assert alone["pose, compiled, n = 2, N = 1: 1.2 µs"]
-    assert alone["pose, compiled, n = 2, N = 10000: SciPy"]
-
-
-def test_faster_calls_are_named_with_their_reason() -> None:
-    found = data(
-        of(NUMPY, "cayley2", 3.0), of("SciPy", "", 1.0), of("pytransform3d", "", 2.9),
-        of(NUMPY, "cayley2", 3.0, "compose"), of("SciPy", "", 2.0, "compose", "A * B"),
-        of(NUMPY, "cayley2", 3.0, "rate", part=kernels.ON_ROWS),
-        of(kernels.LAMBDIFY, "cayley2", 1.0, "rate", part=kernels.ON_ROWS),
-    )  # fmt: skip
-    kinds = {faster.why: (faster.peer.by, list(faster.ratios)) for faster in slower.every(found)}
-    assert kinds == {
-        slower.KEPT: ("SciPy", [*SIZES]), slower.ONE: ("SciPy", [1]), slower.BATCH: ("SciPy", [100]),
-        slower.ARITHMETIC: ("SciPy", [10_000]), slower.WRITTEN: (kernels.LAMBDIFY, [*SIZES]),
-    }  # fmt: skip
-    assert len(slower.summary(found)) == len(kinds)
-    assert "- batches in NumPy, N = 100 (up to SciPy 3 x): " in "\n".join(slower.summary(found))
 
 
 # --- the command ------------------------------------------------------------------------------------------------------

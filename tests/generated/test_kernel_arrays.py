@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 import dualcay
-from dualcay import _kernel, _runtime, cayley2, exponential
+from dualcay import _kernel, _runtime
 from tests.support import sampling, thorough
 from tests.support.kernels import ALIKE, orders
 from tests.support.layouts import BATCHES as BATCHES_OF_ONE
@@ -91,8 +91,6 @@ def test_blocks_cover_a_batch_once() -> None:
         assert (seen == 1).all(), (batch, size)
 
 
-CHARTS_OF_POINTS = (cayley2, exponential)
-
 BROADCAST = [
     ((5, 1), (4,), (5, 4)), ((), (3,), (3,)), ((3,), (), (3,)), ((2, 1, 3), (1, 4, 1), (2, 4, 3)), ((1,), (0,), (0,)),
 ]  # fmt: skip
@@ -126,16 +124,6 @@ def test_what_depends_on_an_argument_of_fewer_poses_has_the_same_bits(
         full = [np.array(np.broadcast_to(x, shape + SHAPES[kind])) for x, kind in zip(few, kinds, strict=True)]
         for call in (getattr(kernel, name), lambda *given: by_rows(kernel, name, given)):
             np.testing.assert_array_equal(call(*few), call(*full))
-
-
-def test_one_vector_moves_points_without_scalars_of_its_chart() -> None:
-    """Count the calls that are left for the points: 33 in each chart."""
-    for chart in CHARTS_OF_POINTS:
-        program = chart.KERNELS._chart.recorded("transform_point", np.dtype(float), 0)
-        halves = _kernel._halves(program, ((6,), (3,)), (0,), 0)
-        assert halves is not None
-        assert sum(len(functions) for functions, _ in halves[1].runs) == 33
-        assert _kernel._halves(program, ((6,), (3,)), (1,), 0) is None
 
 
 @FUNCTION

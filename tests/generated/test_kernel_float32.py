@@ -140,9 +140,8 @@ def test_terms_that_float32_loses_are_lost(size: float) -> None:
     assert _numbers.Singles.beside(0.0, -1e-45) < 0
 
 
-@pytest.mark.parametrize("name", ["cayley2", "exponential", "lambert"])
-def test_noise_that_chooses_a_branch_is_seen(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_noise_that_chooses_a_branch_is_seen(monkeypatch: pytest.MonkeyPatch) -> None:
     """Control: the rule of float64 takes noise of float32 for a sign, in every map that has one."""
     monkeypatch.setattr(_numbers.Singles, "beside", staticmethod(operator.add))
-    seen = {call.partition("[")[0] for call in wrong(name, "")}
+    seen = {call.partition("[")[0] for call in wrong("lambert", "")}
     assert seen >= {"from_tensor", "from_quaternion", "compose", "between", "principal", "local", "compose_jacobians"}

@@ -47,14 +47,14 @@ def test_steps_from_the_mean_cancel_and_the_pose_is_that_of_every_chart() -> Non
     truth = mean(exp, X, W)
     rest = np.einsum("bk,bki->bi", W / W.sum(axis=1, keepdims=True), exp.body_local(X, truth[:, None]))
     assert (abs(rest) <= BOUND * (1 + LENGTHS)).all()
-    for module in charts():
+    for module in charts()[::4]:
         v = dualcay.convert(X, exp, module)
         m = mean(module, v, W)
         assert apart(dualcay.convert(m, module, exp), truth) < BOUND
         np.testing.assert_array_equal(m, module.principal(m))
         if module.CHART.branches != 1:
             assert apart(dualcay.convert(mean(module, module.shadow(v), W), module, exp), truth) < 8 * BOUND
-    for table in charts("rotation"):  # rotations are the real part
+    for table in charts("rotation")[::4]:  # rotations are the real part
         real = mean(table, table.from_exponential(X[..., :3]), W)
         np.testing.assert_allclose(table.to_exponential(real), truth[:, :3], rtol=0, atol=BOUND)
 

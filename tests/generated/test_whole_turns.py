@@ -109,7 +109,7 @@ def cases(chart: Subject, dtype: Any, count: int = len(FUNCTIONS)) -> Iterator[t
             yield wrong(chart, found, pose_of(screw, end), end, screw), f"{function.__name__}, {k} turns, {side * e}"
 
 
-@pytest.mark.parametrize("name", CHARTS)
+@pytest.mark.parametrize("name", thorough.sampled(CHARTS, CHARTS[::3]))
 def test_vectors_beside_whole_turns_have_the_pose_or_are_not_finite(name: str) -> None:
     worst = max(cases(subject(name), np.float64))
     assert worst[0] <= 1, worst
@@ -137,7 +137,7 @@ def test_convert_loses_nothing_between_charts_infinite_at_a_whole_turn(turns: in
             assert error < GATE * np.finfo(dtype).eps * 4, (source.module, target.module, e, count)
 
 
-@pytest.mark.parametrize("name", CHARTS)
+@pytest.mark.parametrize("name", thorough.sampled(CHARTS, CHARTS[::3]))
 def test_batches_in_single_precision_are_as_exact(name: str) -> None:
     """Rows of a batch run in float32; its steps have the axis of v to rounding alone."""
     chart = subject(name)
@@ -173,7 +173,7 @@ def test_chains_of_steps_close(case: tuple[str, Any]) -> None:
         assert not off > 1000 * 64 * np.finfo(dtype).eps, off
 
 
-@pytest.mark.parametrize("name", CHARTS)
+@pytest.mark.parametrize("name", thorough.sampled(CHARTS, CHARTS[::3]))
 def test_translation_across_the_axis_at_a_whole_turn_is_not_finite(name: str) -> None:
     """The pose 2π about one axis and back to a parallel one is a translation across both: no v keeps the axis."""
     chart = subject(name)

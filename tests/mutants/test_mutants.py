@@ -26,7 +26,6 @@ from tests.mutants import __main__ as command
 from tests.mutants.lines import changes as line_changes
 from tests.mutants.mutant import KILLED, SURVIVED, Mutant, Verdict, sampled, tried
 from tests.mutants.programs import changes, replaced
-from tests.support.staying import spin
 
 STEPS = (Assignment("d", "sub", ("v1", "v2"), False), Assignment("e", "mul", (3, "d"), False))
 DIFFERENCE = Program("f", (("v", ("v1", "v2")),), STEPS, ("e", "d"))
@@ -112,14 +111,6 @@ def four_trials() -> list[Verdict]:
     return list(tried([mutant(trial) for trial in trials], jobs=3))  # type: ignore[arg-type]
 
 
-def long_trials() -> list[Verdict]:
-    def asleep() -> Verdict:
-        time.sleep(1.5)
-        return Verdict(SURVIVED)
-
-    return list(tried([mutant(spin), mutant(asleep)], jobs=2, limit=1))  # type: ignore[arg-type]
-
-
 def run_command(kinds: Mapping[str, str], *arguments: str) -> tuple[int, str]:
     """Return exit code and output of the command, for one room with these verdicts."""
     room = [mutant(partial(Verdict, kind, "tests"), change) for change, kind in kinds.items()]
@@ -133,11 +124,6 @@ def test_trials_are_isolated_and_verdicts_come_in_order(run_apart: Callable[...,
     assert [verdict.kind for verdict in found] == [SURVIVED, KILLED, KILLED]
     assert found[1].by == "exception ValueError: no pose"
     assert found[2].by == "crash"
-
-
-@pytest.mark.thorough
-def test_trials_that_compute_long_are_killed_and_those_that_wait_are_not(run_apart: Callable[..., Any]) -> None:
-    assert run_apart(long_trials) == [Verdict(KILLED, "time limit"), Verdict(SURVIVED)]
 
 
 @pytest.mark.thorough

@@ -20,12 +20,6 @@ def stay(folder: Path) -> None:
         (folder / "interrupted").touch()
 
 
-def spin() -> None:
-    """Compute without end."""
-    while True:
-        pass
-
-
 def meet(folder: Path) -> int:
     """Create a file in a folder, wait until a second process does so, and return the identity of this process."""
     (folder / str(os.getpid())).touch()

@@ -1,46 +1,10 @@
-// Scalars for tests of the C templates: residues, jets of any number, and classes with operators of many types.
+// Scalars for tests of the C templates: jets of any number, and classes with operators of many types.
 #include <cmath>
 #include <complex>
-#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <type_traits>
 #include <vector>
-
-__extension__ typedef unsigned __int128 Wide;
-
-// Element of a prime field of at most 61 bits; it can be made from an integer or from a double multiple of 1/2.
-struct Residue {
-    static uint64_t prime;
-    uint64_t value;
-    Residue() : value(0) {}
-    explicit Residue(int integer) : value(integer < 0 ? prime - (uint64_t)(-(int64_t)integer) : (uint64_t)integer) {}
-    explicit Residue(double halves);
-    static Residue of(uint64_t value) { Residue made; made.value = value; return made; }
-};
-uint64_t Residue::prime = 2305843009213693951u;
-inline Residue operator+(Residue a, Residue b) { return Residue::of((a.value + b.value) % Residue::prime); }
-inline Residue operator-(Residue a, Residue b)
-{
-    return Residue::of((a.value + Residue::prime - b.value) % Residue::prime);
-}
-inline Residue operator-(Residue a) { return Residue::of((Residue::prime - a.value) % Residue::prime); }
-inline Residue operator*(Residue a, Residue b)
-{
-    return Residue::of((uint64_t)((Wide)a.value * b.value % Residue::prime));
-}
-inline Residue operator/(Residue a, Residue b)
-{
-    if (!b.value) { std::puts("division by zero"); std::exit(3); }
-    Residue power = b;
-    for (uint64_t e = Residue::prime - 2; e; e >>= 1) {
-        if (e & 1) a = a * power;
-        power = power * power;
-    }
-    return a;
-}
-
-inline Residue::Residue(double halves) { *this = Residue((int)(2 * halves)) / Residue(2); }
 
 // Number with its derivatives by N variables, like ceres::Jet, also of jets; conversion of the value is explicit.
 template <int N, class T = double> struct Jet {

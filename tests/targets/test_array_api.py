@@ -55,7 +55,7 @@ SAMPLE = {"jax": FEW, "dask": FEW[::2], "jax traced": (*KINDS.values(), "from_po
 @STRICT
 def test_gates_of_the_oracle_hold_in_every_library(array_api, library):
     module = Through(array_api(3), library)
-    for place, name in enumerate(SAMPLE.get(library, FUNCTIONS)):
+    for place, name in enumerate(SAMPLE.get(library, FUNCTIONS if library in OWN_FUNCTIONS else FUNCTIONS[::4])):
         for regime in REGIMES if library in OWN_FUNCTIONS else SOME[place % 3 :][:1]:
             Trial(module, 3, regime, count=1).check(name)
 

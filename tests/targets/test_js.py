@@ -36,9 +36,10 @@ def calls_libm(case: Case) -> bool:
     return any(known[named.get(name, name)] == 2 for name in (runs.program, runs.then, runs.instead) if name)
 
 
-def test_node_and_libm_differ_in_elementary_functions_alone(modules: Path, tmp_path: Path) -> None:
+@pytest.mark.parametrize("names", [CHARTS[2:], pytest.param(CHARTS[:2], marks=pytest.mark.thorough)], ids=str)
+def test_node_and_libm_differ_in_elementary_functions_alone(modules: Path, tmp_path: Path, names: list[str]) -> None:
     """Functions without these give equal digits. Each value of node and of libm is within an ulp of the right one."""
-    cases = [case for name in CHARTS for case in languages.cases(name)]
+    cases = [case for name in names for case in languages.cases(name)]
     found, calls = js.results(modules, cases, tmp_path)
     own = js.run(modules, cases, tmp_path, own=True)
     pairs = zip(cases, found, own)

@@ -51,20 +51,6 @@ def test_schema_refuses_other_programs(folder: Path, where: tuple[Any, ...], val
 
 
 @pytest.mark.parametrize("name", FILES)
-def test_every_name_is_made_before_it_is_read(folder: Path, name: str) -> None:
-    data, seen = read(folder, name), dict[str, Any]()
-    for title, program in data["programs"].items():
-        known = {*program["given"], *data["numbers"]}
-        for made, called, *operands in program["steps"]:
-            assert {operand for operand in operands if isinstance(operand, str)} <= known, title
-            if isinstance(made, list):
-                assert (len(seen[called]["given"]), len(seen[called]["results"])) == (len(operands), len(made)), title
-            known |= set(made) if isinstance(made, list) else {made}
-        assert {result for result in program["results"] if isinstance(result, str)} <= known, title
-        seen[title] = program
-
-
-@pytest.mark.parametrize("name", FILES)
 def test_functions_have_their_arrays_and_programs(folder: Path, name: str) -> None:
     data = read(folder, name)
     rows = functions(TABLES["rotation" if "/" in name else ""])

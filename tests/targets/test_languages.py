@@ -29,30 +29,22 @@ LANGUAGES = [
 ALTERED = {
     "json": [
         ("cayley2.json", '["x13", "add", "v11", "v33"]', '["x13", "subtract", "v11", "v33"]'),
-        ("cayley2.json", '["x12", "add", "v11", "v22"]', '["x12", "add", "v11", "v33"]'),
-        ("cayley2.json", '["within", "select", "t15", "last", "alpha"]', '["within", "add", 0, "alpha"]'),
         ("cayley2.json", '"results": ["f", "g", "g"', '"results": ["g", "f", "g"'),
     ],
     "matlab": [
-        ("+dualcay/+cayley2/tensor.m", "q12 = gvv1 - fv3;", "q12 = gvv1 + fv3;"),
         ("+dualcay/+cayley2/pose.m", "pose_scalars(v11, v22, v33)", "pose_scalars(v11, v22, v22)"),
         ("+dualcay/+cayley2/from_pose.m", "best1 = dualcay.internal.select(larger1, t1, t0);", "best1 = t0;"),
-        ("+dualcay/+cayley2/tangent.m", "[out1, out2, out3,", "[out2, out1, out3,"),
     ],
     "rust": [
-        ("geometry.rs", "let q12 = gvv1 - fv3;", "let q12 = gvv1 + fv3;"),
         ("geometry.rs", "[b1, b2, b3, b1o, b2o, b3o], [rho1_2", "[b2, b1, b3, b1o, b2o, b3o], [rho1_2"),
         ("cayley2.rs", "let within = select(left < T::of(0), last, alpha);", "let within = alpha;"),
-        ("cayley2.rs", "(f, g, g, fy,", "(g, f, g, fy,"),
     ],
     "js": [
         ("geometry.js", "const fv1 = v1 * f;", "const fv1 = -v1 * f;"),
-        ("geometry.js", "tensor_at(f, g, h, v1, v2,", "tensor_at(f, g, h, v2, v1,"),
-        ("cayley2.js", "const within = left < 0 ? last : alpha;", "const within = alpha;"),
         ("cayley2.js", "out[0] = s;", "out[1] = s;"),
     ],
 }
-"""Alterations of printed programs: another sign, another argument, no selection, and results in another order."""
+"""Alterations of printed programs, each kind in two languages: sign, argument, selection, order of results."""
 
 FUNCTIONS = {
     "rust": ("geometry.rs", "geometry::rate::<$chart, T>(*v, *omega,", "geometry::rate::<$chart, T>(*omega, *v,"),
@@ -129,7 +121,7 @@ def test_an_altered_function_has_other_bits(language, headers, tmp_path) -> None
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
-@pytest.mark.parametrize("place", range(4), ids=["sign", "argument", "selection", "result"])
+@pytest.mark.parametrize("place", range(2))
 def test_an_altered_program_is_refused(language, place, tmp_path) -> None:
     write(language, FIRST, tmp_path)
     alter(tmp_path, *ALTERED[language][place])

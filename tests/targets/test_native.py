@@ -1,4 +1,4 @@
-"""Compiled NumPy functions beneath the committed kernels: equal results and errors, and a switch to disable them.
+"""Compiled NumPy functions beneath the committed kernels: where they run, their replay, and a switch to disable them.
 
 One distribution contains the functions of poses and of rotations.
 """
@@ -17,23 +17,15 @@ from types import ModuleType
 import numpy as np
 import pytest
 
-from derive.codegen.signatures import POSES, PUBLIC, ROTATIONS
+from derive.codegen.signatures import POSES, ROTATIONS
 from derive.codegen.validation.replay import NUMPY, replay
 from derive.maps import Cayley, family
 from tests.support.kernels import load, said
 from tests.support.native import PLAIN, build, found
-from tests.support.rotation_arguments import arguments
-from tests.support.signatures import SIGNATURES, components_first, inputs
 
 pytestmark = [pytest.mark.compiler, pytest.mark.thorough]
 
 CHARTS = (Cayley(3), family("exponential"))
-NAMES = sorted(n for n in PUBLIC.keys() & SIGNATURES.keys() if all(array.shape for array in PUBLIC[n].arguments))
-OF_ROTATIONS = sorted(
-    name
-    for name, row in ROTATIONS.public.items()
-    if len(row.results) == 1 and all(array.shape for array in row.arguments)
-)
 
 
 @pytest.fixture(scope="module")
@@ -52,11 +44,6 @@ def package(site: Path) -> Iterator[str]:
 @pytest.fixture
 def native(package: str) -> Callable[[int], ModuleType]:
     return lambda order: importlib.import_module(f"{package}.cayley{order}")
-
-
-@pytest.fixture
-def rotations(package: str) -> ModuleType:
-    return importlib.import_module(f"{package}.rotation.cayley3")
 
 
 @pytest.mark.parametrize(("where", "table"), [("", POSES), (".rotation", ROTATIONS)], ids=["poses", "rotations"])
@@ -86,31 +73,6 @@ def test_the_replay_agrees_with_the_formulas(package, chart):
         module = importlib.import_module(".".join(filter(None, (package, table.name, chart.name))))
         assert module.CHART.native
         assert replay(package, chart, [NUMPY], [table], geometry=True) > 100
-
-
-@pytest.mark.parametrize("dtype", [np.float32, np.float64])
-@pytest.mark.parametrize("axis", [-1, 0])
-@pytest.mark.parametrize("chart", CHARTS, ids=lambda chart: chart.name)
-def test_numbers_that_are_not_finite_give_what_numpy_gives(package, chart, axis, dtype):
-    """Put each of them into each component of an argument; finite results agree to half of the digits, as in replay."""
-    for where, names in (("", NAMES), ("rotation.", OF_ROTATIONS)):
-        native, numpy = (importlib.import_module(f"{root}.{where}{chart.name}") for root in (package, "dualcay"))
-        for name in [name for name in names if hasattr(numpy, name)]:
-            drawn = arguments(ROTATIONS.public[name], numpy) if where else inputs(numpy, name, 3, (5,))
-            sizes = [array[0].size for array in drawn]
-            count = 3 * sum(sizes)  # a row for each place and number
-            given = [np.resize(array, (count, *array.shape[1:])).astype(dtype) for array in drawn]
-            columns = np.hstack([array.reshape(count, -1) for array in given])
-            columns[range(count), np.arange(count) // 3] = np.resize([np.nan, np.inf, -np.inf], count)
-            parts = np.split(columns, np.cumsum(sizes)[:-1], axis=1)
-            given = [part.reshape(array.shape) for part, array in zip(parts, given, strict=True)]
-            expected = getattr(numpy, name)(*given)
-            if axis == 0:
-                given = [components_first(array, array.ndim - 1) for array in given]
-                expected = components_first(expected, expected.ndim - 1)
-            digits = np.finfo(dtype).eps ** 0.5
-            found = getattr(native, name)(*given, axis=axis)
-            np.testing.assert_allclose(found, expected, rtol=digits, atol=digits, err_msg=name)
 
 
 def test_overlapping_results_agree_with_separate_ones(native):

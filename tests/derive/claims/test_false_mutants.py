@@ -52,8 +52,8 @@ def wrongly_proved(entries: Sequence[Entry], count: int) -> tuple[int, list[str]
 
 
 def test_no_false_mutant_of_a_sample_is_proved() -> None:
-    count, wrong = wrongly_proved(ROWS[5::17], 1)
-    assert count >= 15
+    count, wrong = wrongly_proved(ROWS[5::51], 1)
+    assert count >= 5
     assert wrong == []
 
 

@@ -33,7 +33,14 @@ def verdict(read: Sheet) -> Result:
     return decide("", entry)
 
 
-@pytest.mark.parametrize(("claim", "letters", "condition", "how"), CLAIMS, ids=[row[0][:40] for row in CLAIMS])
+SLOW = (2, 3, 7)
+"""Places of claims that are tested in thorough runs alone."""
+
+
+@pytest.mark.parametrize(
+    ("claim", "letters", "condition", "how"),
+    [pytest.param(*c, id=c[0][:40], marks=pytest.mark.thorough if k in SLOW else ()) for k, c in enumerate(CLAIMS)],
+)
 def test_verdict_is_the_same_alone_in_a_file_and_in_a_transcript(claim, letters, condition, how) -> None:
     def text(conditions: str, key: str) -> str:
         kinds = "".join(f'{name} = "{kind}"\n' for name, kind in letters.items())

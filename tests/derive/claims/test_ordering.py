@@ -14,7 +14,7 @@ BALLS = "norm(v) <= 2 and norm(w) <= 3"
 UNIT = "0 <= x and x <= 1 and 0 <= y and y <= 1"
 TOUCHING = {
     # both sides are equal somewhere in the domain, often at one point or corner alone
-    ("norm(v + w)", "5"): BALLS, ("norm(v - w)", "5"): BALLS, ("norm(v + 2*w)", "8"): BALLS, ("dot(v, w)", "6"): BALLS,
+    ("norm(v + 2*w)", "8"): BALLS, ("dot(v, w)", "6"): BALLS,
     ("-dot(v, w)", "6"): BALLS, ("norm(cross(v, w))", "6"): BALLS, ("norm(v)*norm(w)", "6"): BALLS,
     ("norm(v + w)**2", "2*norm(v)**2 + 2*norm(w)**2"): "", ("dot(v, w)", "norm(v)*norm(w)"): "",
     ("norm(v) - norm(w)", "norm(v - w)"): "", ("norm(norm(v) - norm(w))", "norm(v - w)"): "",

@@ -42,16 +42,6 @@ def printed(record, names=("a", "b")):
     return c99.core(trace.program("pose", [record(trace, *values)] + [0] * 15), KERNELS["pose"].results, {}).text
 
 
-def test_a_choice_of_integers_is_a_real_number():
-    text = printed(lambda t, a, b: t.where(t.less(a, 0), -1, 1) / b)
-    assert "(a < 0 ? (dualcay_real)-1 : (dualcay_real)1) / b" in text
-
-
-def test_choices_are_ternaries_and_conditions_are_bracketed():
-    text = printed(lambda t, a, b: t.where(t.either(t.less(a, b), t.both(t.equal(a, 0), t.less(b, 0))), a, -b))
-    assert "(a < b) | ((a == 0) & (b < 0)) ? a : -b" in text
-
-
 def test_slow_functions_run_only_where_a_result_depends_on_them():
     def record(t, a, b):
         near = t.name("near", t.less(a, 1))
@@ -62,11 +52,6 @@ def test_slow_functions_run_only_where_a_result_depends_on_them():
     assert "one = near ? dualcay_tan(a) : (dualcay_real)0;" in text
     assert "both = dualcay_tan(a + 1);" in text
     assert "other = near ? (dualcay_real)0 : dualcay_tan(a + 2);" in text
-
-
-def test_named_conditions_are_int():
-    text = printed(lambda t, a, b: t.where(t.name("small", t.less(a, b)), a, b) + t.where(t.less(a, b), b, a))
-    assert "const int small = a < b;" in text
 
 
 def test_names_are_lower_case_and_distinct():
@@ -86,23 +71,6 @@ def test_constants_which_a_float_would_round_are_refused():
     assert str(2**24) in printed(lambda t, a, b: 2**24 * a)
     with pytest.raises(ValueError, match="beyond 16777216"):
         printed(lambda t, a, b: (2**24 + 1) * a)
-
-
-def test_a_call_writes_its_results_into_places_of_their_own():
-    trace = Trace()
-    (a,) = trace.inputs("v", ["a"])
-    large, root, _ = trace.call("f", [a], ["large", "root", "rest"], ["large"])
-    program = trace.program("pose", [trace.where(large, root, a)] + [0] * 15)
-    text = c99.core(program, KERNELS["pose"].results, {}).text
-    assert "    int large;\n    dualcay_real root, large_2;\n" in text
-    assert "    DUALCAY_CHART(f)(a, &large, &root, &large_2);\n" in text
-
-
-def test_parameters_that_are_not_read_are_cast_to_void():
-    trace = Trace()
-    trace.inputs("x", ["x"])
-    text = c99.scalar(trace.program("direction", trace.inputs("y", ["y"])), {}).text
-    assert text == "    (void)x;\n    *sign_at = y;"
 
 
 def test_library_level_of_a_function_includes_its_scalars():

@@ -71,8 +71,6 @@ GEOMETRY, INTERFACE = "rotation/_geometry.py", "rotation/_interface.py"
     ("file", "function", "old", "new"),
     [
         (GEOMETRY, "tensor_at", "gvv1 - fv3", "gvv1 + fv3"),
-        (GEOMETRY, "quaternion_of", "Q32 - Q23", "Q23 - Q32"),
-        (GEOMETRY, "to_angle_axis", "x, 0, r", "x, 0, 2 * r"),
         (INTERFACE, "body_tangent_inv", '"body_tangent_inv", axis', '"tangent_inv", axis'),
     ],
 )

@@ -116,6 +116,7 @@ def test_coarse_intervals_decide_nothing(monkeypatch: pytest.MonkeyPatch) -> Non
             edges.edge_of.__wrapped__(parsed(text))
 
 
+@pytest.mark.thorough
 def test_too_few_halvings_are_not_proved(monkeypatch: pytest.MonkeyPatch) -> None:
     chart: Any = chart_of(LEAST)
     assert isinstance(chart.far, Halved)

@@ -70,14 +70,9 @@ def close(found: mpmath.mpf, expected: mpmath.mpf) -> bool:
     return bool(abs(found - expected) <= TOLERANCE * (1 + abs(expected)))
 
 
-QUICK = ("pole", "arc")
-"""Texts of φ tested in normal runs: fitting their polynomials takes a second."""
-
-
 def drawn(*names: str) -> list[Any]:
-    """Return parameters, with a marker on texts of φ that are not quick."""
-    slow = PHI.keys() - {*QUICK}
-    return [pytest.param(name, marks=pytest.mark.thorough if name in slow else ()) for name in names]
+    """Return parameters; normal runs fit the polynomials of one text of φ."""
+    return [pytest.param(name, marks=pytest.mark.thorough if name in {*PHI} - {"arc"} else ()) for name in names]
 
 
 @pytest.mark.parametrize("of", drawn(*PHI), indirect=True)

@@ -23,7 +23,7 @@ from derive.claims.sheet import load
 from derive.papers import PAPERS, verify
 from derive.proof import theorems
 
-SAMPLE = ("14", "20", "orthogonal", "zero-components", "positions", "5")
+SAMPLE = ("14", "20", "orthogonal", "positions", "5")
 
 
 @pytest.fixture(scope="module")
@@ -95,11 +95,12 @@ def test_pages_hold_every_entry_and_nothing_undefined(report, form: str) -> None
 
 
 def test_words_of_the_paper_are_beside_a_claim_in_words(report) -> None:
-    (said,) = (r.equation.said for r in report.results if r.equation.number == "zero-components")
-    assert said.startswith("If one or two of them are equal to zero")
+    result = next(result for result in report.results if result.status is Status.ERRATUM)
+    equation = replace(result.equation, said="If one of them is equal to zero")
+    said = Report.of(PAPERS, [replace(result, equation=equation)], [])
     for form in ("markdown", "html"):
-        assert "In the paper: “If one or two of them are equal to zero" in FORMATS[form](report)
-    assert "In the paper: ``If one or two of them" in FORMATS["latex"](report)
+        assert "In the paper: “If one of them is equal to zero" in FORMATS[form](said)
+    assert "In the paper: ``If one of them" in FORMATS["latex"](said)
 
 
 def test_html_needs_no_network(report) -> None:
