@@ -99,36 +99,37 @@ class Packing:
         return best
 
     def _pack(self, function: Function, group: list[int]) -> None:
-        """Add the steps of a group: the fewest calls that some orders and some ways to cut them need."""
-        ways = (way for order in self._orders(group) for way in self._ways(order))
-        for part in min(ways, key=lambda parts: sum(map(self._calls, parts))):
+        """Add the steps of a group, in the order and the parts that need the fewest calls."""
+        least, best = len(group) + 1, [group]
+        for order in self._orders(group) if len(group) > 1 else ():
+            calls, parts = self._cut(order)
+            if calls < least:
+                least, best = calls, parts
+            if least == 1:
+                break
+        for part in best:
             self._step(function, part)
 
     def _orders(self, group: list[int]) -> Iterator[list[int]]:
         """Yield orders of a group: as recorded, and by the places of the first or of the last operands."""
-
-        def place(index: int, operand: int) -> tuple[int, int]:
-            return self.places[self._operands(index)[operand]][-1]
-
         yield group
-        if len(group) > 1:
-            yield sorted(group, key=lambda index: (place(index, 0), place(index, -1)))
-            yield sorted(group, key=lambda index: (place(index, -1), place(index, 0)))
+        ends = {index: [self.places[self._operands(index)[end]][-1] for end in (0, -1)] for index in group}
+        yield sorted(group, key=lambda index: ends[index])
+        yield sorted(group, key=lambda index: ends[index][::-1])
 
-    def _ways(self, order: list[int]) -> Iterator[list[list[int]]]:
-        """Yield ways to cut an order: into pieces whose operands lie in order, or not at all."""
+    def _cut(self, order: list[int]) -> tuple[int, list[list[int]]]:
+        """Return the fewest calls of an order, and its parts: pieces whose operands lie in order, or all after copies."""
         columns, pieces, start = [*zip(*map(self._operands, order))], list[list[int]](), 0
+        whole = len(order)
         while start < len(order):
-            end = start + min(self._longest(column, start)[0] for column in columns)
-            pieces.append(order[start:end])
-            start = end
-        yield pieces
-        if len(pieces) > 1:
-            yield [order]
-
-    def _calls(self, part: list[int]) -> int:
-        """Return the number of calls of a part: its own, and copies of operands that do not lie in order."""
-        return 1 + sum(self._longest(column, 0)[0] < len(part) for column in zip(*map(self._operands, part)))
+            lengths = [self._longest(column, start)[0] for column in columns]
+            if not start:
+                whole = 1 + sum(length < len(order) for length in lengths)
+            elif len(pieces) == whole:
+                return whole, [order]
+            pieces.append(order[start : start + min(lengths)])
+            start += min(lengths)
+        return len(pieces), pieces
 
     def _step(self, function: Function, group: list[int]) -> None:
         """Add a call for a group, after copies of operands that do not lie in order."""

@@ -30,6 +30,9 @@ PREPARED_MAX = 1024
 PACKED_MAX = 256
 """Largest batch whose operations are packed; in larger batches, copies of rows cost more than calls."""
 
+RUNS_BEFORE_PACKING = 32
+"""Runs of a prepared program before its operations are packed: a plan takes as long as some hundred runs."""
+
 KEPT_MAX = 32
 """Largest number of prepared programs kept between calls."""
 
@@ -43,17 +46,21 @@ class Prepared:
     def __init__(
         self, program: Program, parts: Sequence[Shape], table: int, shape: Shape, batch: Shape, axis: int
     ) -> None:
-        sizes, cells = [*map(prod, parts)], prod(batch)
-        if cells <= PACKED_MAX:
-            rows, made, self.calls = _packing(program.listing).calls(cells)
-        else:
-            rows, made, self.calls = _row_by_row(program, sum(sizes) + table, prod(shape), cells)
-        *blocks, numbers = np.split(rows, np.cumsum(sizes))
-        self.given = [*(_laid_out(block, part, batch, axis) for block, part in zip(blocks, parts)), *numbers]
-        self.result = _laid_out(made, shape, batch, axis)
+        self.program, self.parts, self.shape, self.batch, self.axis = program, parts, shape, batch, axis
+        self.runs, self.cells, self.sizes = 0, prod(batch), [*map(prod, parts)]
+        self._place(*_row_by_row(program, sum(self.sizes) + table, prod(shape), self.cells))
+
+    def _place(self, rows: Array, made: Array, calls: Sequence[Call]) -> None:
+        *blocks, numbers = np.split(rows, np.cumsum(self.sizes))
+        laid_out = (_laid_out(block, part, self.batch, self.axis) for block, part in zip(blocks, self.parts))
+        self.given, self.calls = [*laid_out, *numbers], calls
+        self.result = _laid_out(made, self.shape, self.batch, self.axis)
 
     def run(self, given: Sequence[Array], result: Array) -> None:
         """Run on arguments that broadcast to the batch, then the table; they may share memory with the result."""
+        self.runs += 1
+        if self.runs == RUNS_BEFORE_PACKING and self.cells <= PACKED_MAX:
+            self._place(*_packing(self.program.listing).calls(self.cells))
         for staged, array in zip(self.given, given):
             np.copyto(staged, array)
         deque(map(call, self.calls), maxlen=0)
