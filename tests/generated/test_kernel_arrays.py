@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 import dualcay
-from dualcay import _kernel, _runtime
+from dualcay import _kernel, _prepared, _runtime
 from tests.support import sampling, thorough
 from tests.support.kernels import ALIKE, orders
 from tests.support.layouts import BATCHES as BATCHES_OF_ONE
@@ -70,6 +70,8 @@ def test_recorded_program_agrees_with_single_poses_and_any_block_size(
             alone = getattr(kernel, name)(*arguments)
         with monkeypatch.context() as patch:
             patch.setattr(_runtime, "POINTWISE_MAX", -1)
+            patch.setattr(_prepared, "RUNS_BEFORE_PACKING", 1)
+            _prepared._kept.clear()
             whole = getattr(kernel, name)(*arguments)
             if dtype == np.float64:
                 assert_nearly_equal(whole, alone, 64)

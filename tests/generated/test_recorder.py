@@ -244,7 +244,10 @@ def test_program_is_recorded_once_for_each_dtype() -> None:
     assert chart.recorded("pose", np.dtype(np.float32), 0) is not first
 
 
-def test_prepared_program_takes_new_arguments_constants_and_layouts(monkeypatch: pytest.MonkeyPatch) -> None:
+@pytest.mark.parametrize("runs", [1, 2, 100])
+def test_prepared_program_takes_new_arguments_constants_and_layouts(runs: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(_prepared, "RUNS_BEFORE_PACKING", runs)
+    _prepared._kept.clear()
     v = np.random.default_rng(0).normal(size=(3, 40, 6)) / 4
 
     def results() -> list[Any]:
