@@ -8,12 +8,10 @@ from dataclasses import dataclass
 from functools import lru_cache, partial
 from typing import Any
 
-import mpmath
-
 from ...maps.chart import Chart
 from ..rows import Function, Table
 from ..signatures import POSES
-from . import decimals, samples
+from . import decimals, reals, samples
 from .calls import Case, grouped, of_composed, require
 from .screws import covering
 from .vectors import vectors_of
@@ -53,7 +51,7 @@ def batches(chart: Chart, table: Table = POSES, names: frozenset[str] | None = N
     Raise ValueError if a call, or a required exact one, is missing.
     """
     wanted = table.public.keys() if names is None else names
-    with mpmath.workdps(decimals.EXACT_DIGITS):
+    with reals.digits(decimals.EXACT_DIGITS):
         symbolic = samples.on_symbols(chart, table, wanted) if chart.algebraic else ()
         exactly = [Batch(case.row, (), (case,)) for case in symbolic]
         closely = [
@@ -87,7 +85,7 @@ def compare(where: str, found: Any, expected: Sequence[Any], agree: Callable[[An
 
 def composed(chart: Chart, table: Table = POSES) -> Sequence[Batch]:
     """Return the calls of the functions that Python composes, which compiled targets have as programs."""
-    with mpmath.workdps(decimals.EXACT_DIGITS):
+    with reals.digits(decimals.EXACT_DIGITS):
         draw = random.Random(samples.SEED)
         screws, at = list(covering(draw, samples.SMALL_AT_EDGE)), vectors_of(chart)
         found = grouped(of_composed(at, table, draw, screws, samples.JACOBIAN_MARGIN, tuple))

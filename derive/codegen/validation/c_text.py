@@ -16,7 +16,7 @@ import mpmath
 from ...maps.chart import Chart
 from ..rows import Function, Table, inside
 from ..signatures import POSES
-from . import decimals
+from . import decimals, reals
 from .batches import Batch, ValidationFailed, compare, composed, same
 from .c_interpreter import UNSET, CError, Pointer, Unit, load
 from .decimals import Decimal
@@ -49,7 +49,7 @@ def validate(folder: Path, chart: Chart, geometry: bool, tables: Sequence[Table]
 def check(unit: Unit, chart: Chart, given: Sequence[Batch], table: Table = POSES, layouts: bool = True) -> int:
     """Compare functions in both call forms with the formulas, optionally in all layouts; return the number of calls."""
     count = 0
-    with mpmath.workdps(decimals.EXACT_DIGITS):
+    with reals.digits(decimals.EXACT_DIGITS):
         for batch in given:
             branch = batch.branch or ((0,) if batch.row.branch else ())
             kernel = Kernel(unit, f"{prefix(chart, table)}_{batch.function}", batch.row, branch)
@@ -176,6 +176,6 @@ def _require_macros(unit: Unit, chart: Chart, tables: Sequence[Table]) -> None:
             raise ValidationFailed(f"{macro} is {unit.source.expand(macro)}, not {text}")
     if unit.call(f"{begin}_singular_angles", Pointer.to(angles)) != len(angles):
         raise ValidationFailed(f"singular_angles does not return {len(angles)}")
-    with mpmath.workdps(decimals.EXACT_DIGITS):
+    with reals.digits(decimals.EXACT_DIGITS):
         wanted = [mpmath.mpf(angle.evalf(decimals.EXACT_DIGITS + 5)) for angle in chart.singular_angles]
         compare("singular_angles", angles, wanted, partial(decimals.close, tolerance=decimals.tolerance(chart)))

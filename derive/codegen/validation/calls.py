@@ -14,15 +14,15 @@ from functools import cached_property, partial
 from random import Random
 from typing import Any, NamedTuple, TypeVar
 
-import mpmath
-
 from ...algebra import Tensor
-from ...algebra.pose import Screw, pose_from_tensor, quaternion_from_screw, tensor_from_screw
+from ...algebra.pose import Screw, is_zero, pose_from_tensor, quaternion_from_screw, tensor_from_screw
 from ..rows import BY_TEXT, RULE, Function, Table
 from ..signatures import JACOBIAN, POSES
+from . import reals
 from .decimals import EXACT_DIGITS
 from .expected_values import ALGEBRAIC, arguments_of, rows_of_pose
 from .inverse_maps import MAPS, value
+from .reals import Real
 from .vectors import Flat, Vectors, flat
 
 
@@ -60,7 +60,7 @@ class Case:
 
     @cached_property
     def result(self) -> Flat:
-        with mpmath.workdps(EXACT_DIGITS):
+        with reals.digits(EXACT_DIGITS):
             return self.compute()
 
 
@@ -99,7 +99,8 @@ def grouped(cases: Iterable[C]) -> list[tuple[tuple[int, ...], tuple[C, ...]]]:
 def selecting(chart: Vectors, drawn: Iterable[Drawn]) -> Iterator[Case]:
     """Yield the calls of all functions of poses that select a branch or an angle on drawn arguments."""
     rows = [row for row in POSES.public.values() if row.name in MAPS]
-    for kind, arguments, branch, regular, without in drawn:
+    for kind, given, branch, regular, without in drawn:
+        arguments = tuple(map(reals.exact, given))
         for row in rows:
             derivative = row.results[0].shape == JACOBIAN.shape
             if kind_of(row) == kind and row.name not in without and (regular or not derivative):
@@ -109,7 +110,7 @@ def selecting(chart: Vectors, drawn: Iterable[Drawn]) -> Iterator[Case]:
 def algebraic(chart: Vectors, points: Sequence[Sequence[Flat]]) -> Iterator[Case]:
     """Yield the calls of all algebraic functions of poses; each point has the components of three arguments."""
     for row in (row for row in POSES.public.values() if row.name in ALGEBRAIC):
-        for given in (arguments_of(row, point) for point in points):
+        for given in (tuple(map(reals.exact, arguments_of(row, point))) for point in points):
             yield Case(row, None, given, partial(value, chart, row, None, given))
 
 
@@ -118,8 +119,8 @@ def restricted(cases: Iterable[Case], table: Table) -> Iterator[Case]:
     seen = set()
     for case in cases:
         row = table.sources.get(case.function)
-        if row and (call := (row.name, case.branch, row.restricted(case.arguments))) not in seen:
-            seen.add(call)
+        if row and (call := (row.name, case.branch, row.restricted(case.arguments))) and reals.key(call) not in seen:
+            seen.add(reals.key(call))
             yield Case(row, *call[1:], partial(lambda row, case: row.part(case.result), row, case))
 
 
@@ -132,7 +133,7 @@ def at_screw(
     yield Drawn(Kind.QUATERNION, (tuple(-c for c in q),), branch or None)  # None is the default of the interface
     yield from of_tensor(tensor_from_screw(screw), branch)
     yield Drawn(Kind.TURN, (v,), branch, regular)
-    decided = not branch or bool(screw.angle.re)  # else w = 0 up to rounding, and the axis has either sign
+    decided = not branch or not is_zero(screw.angle.re)  # else w = 0 up to rounding, and the axis has either sign
     yield Drawn(Kind.VECTOR, (there,), without=() if decided else ("to_screw",))
     yield from [Drawn(Kind.TURN, (there,), chart.back(branch))] * decided
     if not branch:
@@ -152,9 +153,9 @@ def of_composed(
     """Yield calls of the functions that Python composes: on all branches and at 0, with symmetric matrices."""
     there = ((chart.tried[i % len(chart.tried)], screw) for i, screw in enumerate(screws))
     vectors = [short(flat(chart.at(screw, k))) for k, screw in there if chart.finite(screw, k, least)]
-    for v in (*vectors, short(6 * [mpmath.mpf(0)])):
-        v_dot, entries = (short([mpmath.mpf(draw.uniform(-1, 1)) for _ in range(size)]) for size in (6, 36))
+    for v in (*vectors, short(6 * [Real(0)])):
+        v_dot, entries = (short([Real(draw.uniform(-1, 1)) for _ in range(size)]) for size in (6, 36))
         spread = tuple(entries[6 * min(i, j) + max(i, j)] for i in range(6) for j in range(6))
         for row in table.composed.values():
-            arguments = row.restricted((v, v_dot, spread))
+            arguments = row.restricted(tuple(map(reals.exact, (v, v_dot, spread))))
             yield Case(row, None, arguments, partial(value, chart, row, None, arguments))

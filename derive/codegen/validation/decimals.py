@@ -9,6 +9,7 @@ from functools import lru_cache, partial
 from typing import Any
 
 import mpmath
+from flint import arb
 
 from ...maps.chart import Chart
 
@@ -99,14 +100,14 @@ def _computed(function: Callable[..., Any], precision: int, *values: decimal.Dec
 
 
 def _of(value: Any) -> decimal.Decimal:
-    """Convert a decimal number, an int, a Fraction or an mpmath number; refuse other types, which have fewer digits."""
+    """Convert a decimal number, an int, a Fraction, a number of mpmath or flint; refuse types of fewer digits."""
     if isinstance(value, decimal.Decimal):
         return value
     if isinstance(value, int):
         return _integer(value)
     if isinstance(value, Fraction):
         return NUMBERS.divide(decimal.Decimal(value.numerator), decimal.Decimal(value.denominator))
-    if not isinstance(value, mpmath.mpf):
+    if not isinstance(value, mpmath.mpf | arb):
         raise TypeError(f"no number of {EXACT_DIGITS} digits: {type(value).__name__} {value!r}")
     sign, mantissa, exponent, _ = value._mpf_
     if not mantissa:

@@ -14,8 +14,6 @@ from dataclasses import dataclass
 from functools import cached_property, lru_cache, partial
 from typing import Any
 
-import mpmath
-
 from ...algebra import Vector
 from ...algebra.pose import polar
 from ...maps.chart import Chart
@@ -24,12 +22,14 @@ from ..signatures import POSES, geometry
 from .calls import Case, Drawn, Kind, algebraic, at_screw, of_composed, require, restricted, selecting
 from .decimals import EXACT_DIGITS
 from .inverse_maps import value
+from . import reals
+from .reals import Real, nearest
 from .screws import covering
 from .vectors import Flat, Vectors, flat, vectors_of
 
 SEED = 88
 POINTS = 3
-STEP = mpmath.mpf(2) ** -80
+STEP = Real(2) ** -80
 COMPONENT_MAX = 3  # largest component of v, divided by φ′(0)
 GRID = 2**18  # grid steps of arguments per unit: few enough for float32 to hold arguments exactly
 SMALL = 2.0**-8  # size of the small quaternion components: their rows of 4 q qᵀ lose 16 bits
@@ -47,21 +47,21 @@ class FloatCase(Case):
     @property
     def finite(self) -> bool:
         """Tell whether the result is finite; a vector beyond an early edge is not."""
-        return all(map(mpmath.isfinite, self.result))
+        return all(Real(c).is_finite() for c in self.result)
 
     @cached_property
     def scales(self) -> tuple[float, ...]:
         """Error scale of each part of the result."""
         row = self.row
         places = [(i, j) for i, array in enumerate(row.arguments) for j in range(array.size)]
-        with mpmath.workdps(EXACT_DIGITS):
+        with reals.digits(EXACT_DIGITS):
             single = [self._moved(i, [j]) for i, j in places if row.arguments[i].part_of[j] or not row.exact]
             whole = [self._moved(i, range(array.size)) for i, array in enumerate(row.arguments) if i and row.exact]
             ways = ([self.result], single, whole, self._by_angle())
             owners = [(place, part) for place, array in enumerate(row.results) for part in array.part_of]
 
             def norm(values: Flat, owner: tuple[int, int]) -> Any:
-                return mpmath.sqrt(sum(c * c for c, other in zip(values, owners, strict=True) if other == owner))
+                return Real(sum(c * c for c, other in zip(values, owners, strict=True) if other == owner)).sqrt()
 
             sums = ([sum(norm(step, owner) for step in steps) for steps in ways] for owner in dict.fromkeys(owners))
             return tuple(float(max(found)) for found in sums)
@@ -78,7 +78,7 @@ class FloatCase(Case):
         pose, result = self.row.pose or self.row, self.result
         if pose.shape != (6,) or "coefficient" not in {call.function for call in geometry()[pose.kernel].calls}:
             return []
-        extent, axis = polar(Vector.dual(result[:3], result[3:] or (mpmath.mpf(0),) * 3))
+        extent, axis = polar(Vector.dual(result[:3], result[3:] or (Real(0),) * 3))
         there = self.row.part(flat(axis * self.chart.size(self.chart.angle(extent) * (1 + STEP))))
         return [tuple((b - a) / STEP for a, b in zip(result, there, strict=True))]
 
@@ -94,7 +94,7 @@ def cases(chart: Chart, table: Table = POSES) -> Sequence[FloatCase]:
 def drawn(chart: Chart, table: Table = POSES, names: frozenset[str] | None = None) -> Sequence[FloatCase]:
     """Return calls of every public function, or of the named ones, in the order of rows; no result is computed."""
     order, wanted = list(table.functions), table.public.keys() if names is None else names
-    with mpmath.workdps(EXACT_DIGITS):
+    with reals.digits(EXACT_DIGITS):
         at = vectors_of(chart)
         chosen = (case for case in restricted(_seeded(at), table) if case.function in wanted)
         computed = ((c, partial(value, at, c.row, c.branch, c.arguments)) for c in chosen)  # a rotated point, not moved
@@ -104,7 +104,7 @@ def drawn(chart: Chart, table: Table = POSES, names: frozenset[str] | None = Non
 
 def composed(chart: Chart, table: Table = POSES) -> Sequence[FloatCase]:
     """Return calls of the functions that Python composes, which C has as programs."""
-    with mpmath.workdps(EXACT_DIGITS):
+    with reals.digits(EXACT_DIGITS):
         at, draw = vectors_of(chart), random.Random(SEED)
         found = of_composed(at, table, draw, list(covering(draw, SMALL))[:ORDINARY], EDGE_MARGIN, _short)
         return [FloatCase(c.row, c.branch, c.arguments, c.compute, at) for c in found]
@@ -116,13 +116,13 @@ def _seeded(chart: Vectors) -> tuple[Case, ...]:
     size = chart.component(COMPONENT_MAX * chart.slope(0), chart.first_pole)
     points = [[_short(draw.uniform(-most, most) for _ in range(6)) for most in (size, 2, 2)] for _ in range(POINTS)]
     for angle in chart.chart.steep[:1]:
-        points.append([_short(c * chart.size(angle) / 3 for c in (1, -2, 2)) + points[0][0][3:], *points[0][1:]])
+        points.append([_short(c * chart.size(Real(angle)) / 3 for c in (1, -2, 2)) + points[0][0][3:], *points[0][1:]])
     return (*algebraic(chart, points), *selecting(chart, _drawn(chart, draw)))
 
 
 def _short(values: Iterable[Any]) -> Flat:
     """Return the nearest numbers on the grid of floats, the multiples of 1/`GRID`."""
-    return tuple(mpmath.mpf(int(mpmath.nint(value * GRID))) / GRID for value in values)
+    return tuple(Real(nearest(value * GRID)) / GRID for value in values)
 
 
 def _drawn(chart: Vectors, draw: random.Random) -> Iterator[Drawn]:

@@ -3,27 +3,29 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from functools import lru_cache, partial
+from functools import partial
 from typing import Any
 
-import mpmath
+from flint import arb_mat
 
 from ...algebra import Dual, Quaternion, Tensor, Vector
 from ...algebra.first_principles import quaternion_exponential
 from ...algebra.functions import atan2
-from ...algebra.pose import Pose, Screw, orientation, polar, tensor_from_pose
+from ...algebra.pose import Pose, Screw, is_zero, orientation, polar, tensor_from_pose
 from ..rows import Function
 from .expected_values import ALGEBRAIC, Formulas, evaluated, matrix6
+from . import reals
+from .reals import Real, nearest
 from .vectors import Flat, Vectors, along, axial, dual, flat, screw_of_quaternion
 
-ZERO: Flat = (mpmath.mpf(0),) * 6
+ZERO: Flat = (Real(0),) * 6
 IDENTITY = matrix6([Vector(*row) for row in Tensor.identity().rows])
 
 
 def reached(chart: Vectors, angle: Dual) -> Dual:
     """Return the angle less the fewest whole turns after which it does not exceed the edge."""
     while angle.re > chart.edge:
-        angle = angle - 2 * mpmath.pi
+        angle = angle - 2 * Real.pi()
     return angle
 
 
@@ -86,7 +88,7 @@ def _retract(body: bool, chart: Vectors, branch: int, v: Flat, delta: Flat) -> F
     Of two branches it is the one that a step of at most half a turn leads to; of more, the one with the angle nearest
     the projection of α u on the new axis.
     """
-    small, here = _turning(mpmath.mp.prec, *delta), chart.quaternion(dual(v))
+    small, here = chart.once(_turning, *delta), chart.quaternion(dual(v))
     if chart.chart.branches == 2:
         q = (here * small if body else small * here) * orientation(small.scalar.re)
         length, u = polar(q.vector)
@@ -95,13 +97,12 @@ def _retract(body: bool, chart: Vectors, branch: int, v: Flat, delta: Flat) -> F
     (length, u), (own, axis) = polar(q.vector), polar(dual(v))
     angle = 2 * atan2(length, q.scalar)
     along = chart.angle(own.re) * axis.re.dot(u.re)
-    turns = mpmath.nint((along - angle.re) / (2 * mpmath.pi))
-    return flat(chart.at(Screw(angle + 2 * mpmath.pi * turns, u)))
+    turns = nearest((along - angle.re) / (2 * Real.pi()))
+    return flat(chart.at(Screw(angle + 2 * Real.pi() * turns, u)))
 
 
-@lru_cache(maxsize=16)  # most difference quotients leave δ unchanged
-def _turning(precision: int, *delta: Any) -> Quaternion:
-    """Return exp(δ/2); ``precision`` is the working precision, a key of the cache."""
+def _turning(*delta: Any) -> Quaternion:
+    """Return exp(δ/2); most difference quotients leave δ unchanged."""
     return quaternion_exponential(dual(delta) / 2)
 
 
@@ -113,21 +114,22 @@ def _interpolate(chart: Vectors, branch: int, v1: Flat, v2: Flat, t: Flat) -> Fl
     (extent, own), moved = polar(dual(v1)), quaternion_exponential(delta * t[0] / 2) * first
     before = chart.angle(extent.re)
     size, u = polar(moved.vector)
-    if delta.re.cross(own.re).magnitude() < mpmath.eps ** mpmath.mpf("0.8") and extent.re:
+    across = delta.re.cross(own.re)
+    if across.dot(across) < reals.rounding(1.6) and not is_zero(extent.re):
         side = orientation(moved.vector.re.dot(own.re))
         gone, turn = before + t[0] * delta.re.dot(own.re), 4
     else:
         side = orientation(first.vector.re.dot(own.re))
-        gone, turn = 2 * mpmath.pi * mpmath.floor(before / (2 * mpmath.pi)) + mpmath.pi, 2
+        gone, turn = 2 * Real.pi() * (before / (2 * Real.pi())).mid().floor() + Real.pi(), 2
     angle = 2 * atan2(size, moved.scalar * side) if turn == 2 else 2 * atan2(size * side, moved.scalar)
-    turns = mpmath.nint((gone - angle.re) / (turn * mpmath.pi))
-    return flat(chart.at(Screw(angle + turn * turns * mpmath.pi, u * side)))
+    turns = nearest((gone - angle.re) / (turn * Real.pi()))
+    return flat(chart.at(Screw(angle + turn * turns * Real.pi(), u * side)))
 
 
 def _jacobians(function: Callable[..., Flat], chart: Vectors, branch: int, *arguments: Flat) -> Flat:
     """Return the Jacobians of a function by each dual vector, as difference quotients in twice the precision."""
-    with mpmath.workprec(2 * mpmath.mp.prec):
-        step = mpmath.mpf(2) ** (-mpmath.mp.prec // 2)
+    with reals.bits(2 * reals.precision()):
+        step = Real(2) ** (-reals.precision() // 2)
         start = function(chart, branch, *arguments)
         found: list[Any] = []
         for place, argument in enumerate(arguments):
@@ -146,14 +148,13 @@ def _principal(chart: Vectors, branch: int, v: Flat) -> Flat:
 
 def _switch(chart: Vectors, branch: int, v: Flat, v_dot: Flat, covariance: Flat) -> Flat:
     """Return the principal vector, J v̇ and J P Jᵀ, with the derivative J of the principal vector."""
-    there, by_v = _at_principal(mpmath.mp.prec, chart, *v)
-    J, P = (mpmath.matrix([entries[i : i + 6] for i in range(0, 36, 6)]) for entries in (by_v, covariance))
-    return (*there, *(J * mpmath.matrix(v_dot)), *(J * P * J.T))
+    there, by_v = chart.once(_at_principal, chart, *v)
+    J, P = (arb_mat(6, 6, entries) for entries in (by_v, covariance))
+    return (*there, *(J * arb_mat(6, 1, v_dot)).entries(), *(J * P * J.transpose()).entries())
 
 
-@lru_cache(maxsize=16)  # most difference quotients leave v unchanged
-def _at_principal(precision: int, chart: Vectors, *v: Any) -> tuple[Flat, Flat]:
-    """Return the principal vector and its derivative; ``precision`` is the working precision, a key of the cache."""
+def _at_principal(chart: Vectors, *v: Any) -> tuple[Flat, Flat]:
+    """Return the principal vector and its derivative; most difference quotients leave v unchanged."""
     return _principal(chart, 0, v), _jacobians(_principal, chart, 0, v)
 
 
@@ -189,7 +190,7 @@ MAPS: Mapping[str, Callable[..., Flat]] = {
 
 def value(chart: Vectors, row: Function, branch: int | None, arguments: Sequence[Flat]) -> Flat:
     """Return the value of any kernel function at given numbers."""
-    zero = mpmath.mpf(0)
+    zero = Real(0)
     if row.source in ALGEBRAIC:
         return evaluated(row, Formulas(chart.chart, chart), arguments, zero)
     return row.part(MAPS[row.source](chart, branch or 0, *row.embedded(arguments, zero)))

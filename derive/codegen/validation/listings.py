@@ -13,6 +13,7 @@ import mpmath
 from ...algebra.arithmetic import PLAIN
 from ...maps.chart import Chart
 from ..rows import Table
+from . import reals
 from .batches import ValidationFailed, compare, composed
 from .decimals import EXACT_DIGITS, Decimal
 from .run import chosen
@@ -88,7 +89,7 @@ def validate(files: Mapping[Table, str], read: Callable[[str, Table], Any], char
     `ValidationFailed` names the function.
     """
     count = 0
-    with mpmath.workdps(EXACT_DIGITS):
+    with reals.digits(EXACT_DIGITS):
         for table, file in files.items():
             listing = Listing(_done(partial(read, file, table), file), _exact, OF_DECIMALS)
             for batch in (*chosen(chart, table, geometry), *composed(chart, table)):

@@ -9,11 +9,10 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any
 
-import mpmath
-
 from ...maps.chart import Chart
 from ..rows import Table
 from ..signatures import POSES, geometry, lower_chart
+from . import reals
 from .batches import Batch, ValidationFailed, batches, compare
 from .decimals import EXACT_DIGITS
 from .loading import loaded, module_of
@@ -33,7 +32,7 @@ def validate(folder: Path, chart: Chart, geometry: bool, tables: Sequence[Table]
     """
     import numpy as np  # here and below: printing does without it
 
-    with loaded(folder) as package, mpmath.workdps(EXACT_DIGITS), np.errstate(all="ignore"):
+    with loaded(folder) as package, reals.digits(EXACT_DIGITS), np.errstate(all="ignore"):
         count = 0
         for table in tables:
             module = module_of(package, chart, table)

@@ -7,10 +7,8 @@ import random
 from collections.abc import Collection, Iterator, Sequence
 from functools import lru_cache, partial
 
-import mpmath
-
 from ...algebra import Dual, Tensor, Vector
-from ...algebra.pose import Pose, Screw, tensor_from_pose, tensor_from_screw
+from ...algebra.pose import Pose, Screw, is_zero, tensor_from_pose, tensor_from_screw
 from ...maps import Formula
 from ...maps.chart import Chart
 from ...proof import Ring, root_of
@@ -20,6 +18,7 @@ from ..signatures import POSES
 from .calls import Case, Drawn, Kind, algebraic, at_screw, of_tensor, restricted, selecting
 from .expected_values import ALGEBRAIC, BY_QUATERNION, Formulas, evaluated
 from .inverse_maps import MAPS, reached
+from .reals import INFINITE, Real, nearest
 from .screws import covering, half_turns, steep, translation
 from .vectors import Flat, Vectors, flat, is_whole, vectors_of
 
@@ -32,18 +31,18 @@ SMALL = 1e-21 / 7
 SMALL_AT_EDGE = 1e-10 / 7  # size in charts with edge π: a smaller scalar part would be too near the edge
 EDGE_MARGIN = 1e-12  # least margin to the edge (`Vectors.finite`): nearer vectors are too ill-conditioned
 JACOBIAN_MARGIN = 0.1  # least margin to the edge for Jacobians, whose conditioning is worse by one power
-NEAR_TIE = mpmath.mpf(10) ** -30  # angle between a vector and the limit of its branch, in the nearest cases
+NEAR_TIE = Real(10) ** -30  # angle between a vector and the limit of its branch, in the nearest cases
 LATTICE = ((1, 0, 0), (0, -1, 0), (1, 1, 1), (-1, 1, -1), (1, -1, 0))
 """Directions of vectors whose v·v needs no rounding: scalars of a chart vanish exactly at some of them."""
 
 SIZES = ("1e-25", "1e-9", "0.003", "0.3", "0.7", "0.97")
 """Angles of seeded vectors, divided by the first singular angle: some in the range of the series, some beyond it."""
 
-SMALL_STEP = tuple(mpmath.mpf(c) / 64 for c in (1, -2, 2, 1, 0, 3))  # step that stays on the branch of its vector
-STEPS = tuple(tuple(mpmath.mpf(size * c) for c in (1, -2, 2, 1, 0, 3)) for size in (0.25, 0.8125, 2, 3))
+SMALL_STEP = tuple(Real(c) / 64 for c in (1, -2, 2, 1, 0, 3))  # step that stays on the branch of its vector
+STEPS = tuple(tuple(Real(size * c) for c in (1, -2, 2, 1, 0, 3)) for size in (0.25, 0.8125, 2, 3))
 """Steps in the range of the series of the exponential, where its last terms weigh most, and steps beyond it."""
 
-POLE_DISTANCE = mpmath.mpf(1) / 64
+POLE_DISTANCE = Real(1) / 64
 """Distance in angle from the edge, small enough for `SMALL_STEP` to cross the edge in one direction."""
 
 
@@ -99,17 +98,17 @@ def _seeded(chart: Vectors) -> Sequence[Case]:
 def _points(chart: Vectors) -> Iterator[Sequence[Flat]]:
     """Yield the identity, seeded vectors and vectors near the least φ′, each with two further arguments."""
     draw = random.Random(SEED)
-    seeded = (mpmath.mpf(share) * chart.first_pole for share in SIZES)
-    for size in (mpmath.mpf(0), *map(chart.size, (*seeded, *chart.chart.steep))):
-        u = Vector(*(mpmath.mpf(draw.uniform(-1, 1)) for _ in range(3)))
-        rest = [tuple(mpmath.mpf(draw.uniform(-2, 2)) for _ in range(count)) for count in (3, 6, 6)]
+    seeded = (Real(share) * chart.first_pole for share in SIZES)
+    for size in (Real(0), *map(chart.size, (*seeded, *map(Real, chart.chart.steep)))):
+        u = Vector(*(Real(draw.uniform(-1, 1)) for _ in range(3)))
+        rest = [tuple(Real(draw.uniform(-2, 2)) for _ in range(count)) for count in (3, 6, 6)]
         yield (*(u * (size / u.magnitude())), *rest[0]), *rest[1:]
 
 
 def _regimes(chart: Vectors, draw: random.Random) -> Iterator[Drawn]:
     """Yield arguments at all screws and exact half turns on the principal branch, and at some on other branches."""
     yield from _identity(chart)
-    small = SMALL if chart.edge > mpmath.pi else SMALL_AT_EDGE
+    small = SMALL if chart.edge > Real.pi() else SMALL_AT_EDGE
     screws, halves = list(covering(draw, small)), list(half_turns(draw))
     still, other_still = translation(draw), translation(draw)
     given = [screw for screw in (*screws, still, other_still) if chart.finite(screw, 0, margin(chart))]
@@ -128,7 +127,7 @@ def _regimes(chart: Vectors, draw: random.Random) -> Iterator[Drawn]:
     yield from _steps_to_pole(chart, screws[0])
     yield from _near_ties(chart, screws[0])
     for angle in chart.chart.steep:
-        yield Drawn(Kind.VECTOR, (flat(screws[0].axis * chart.size(Dual(angle, screws[0].angle.du))),))
+        yield Drawn(Kind.VECTOR, (flat(screws[0].axis * chart.size(Dual(Real(angle), screws[0].angle.du))),))
 
 
 def _pair(chart: Vectors, screw: Screw, other: Screw) -> Iterator[Drawn]:
@@ -139,10 +138,10 @@ def _pair(chart: Vectors, screw: Screw, other: Screw) -> Iterator[Drawn]:
     yield Drawn(Kind.STEP, (v2, principal), regular=regular)
     further = Screw(screw.angle / 3, screw.axis)  # on the same axis: interpolation through whole turns
     for end, t in ((other, "0.3"), (screw, "0.7"), (further, "0.8"), (further, "-4.3")):
-        yield Drawn(Kind.WAY, (principal, flat(chart.at(end)), (mpmath.mpf(t),)))
-    beyond = 3 if mpmath.isinf(chart.edge) else int(chart.edge / (2 * mpmath.pi)) + 1
+        yield Drawn(Kind.WAY, (principal, flat(chart.at(end)), (Real(t),)))
+    beyond = int(float(chart.edge / (2 * Real.pi()))) + 1 if chart.edge.is_finite() else 3
     for turns in (1, beyond):
-        angle = screw.angle + 2 * mpmath.pi * turns
+        angle = screw.angle + 2 * Real.pi() * turns
         if chart.finite(Screw(reached(chart, angle), screw.axis), 0, JACOBIAN_MARGIN):
             yield Drawn(Kind.LOGARITHM, (flat(screw.axis * angle),))
 
@@ -153,8 +152,8 @@ def _further(chart: Vectors, screw: Screw, branch: int) -> Iterator[Drawn]:
     yield from at_screw(chart, screw, branch, regular=clear)
     v = flat(chart.at(screw, branch))
     yield Drawn(Kind.STEP, (v, SMALL_STEP), regular=True)
-    if screw.angle.re:
-        yield Drawn(Kind.WAY, (v, MAPS["retract"](chart, 0, v, SMALL_STEP), (mpmath.mpf("0.5"),)))
+    if not is_zero(screw.angle.re):
+        yield Drawn(Kind.WAY, (v, MAPS["retract"](chart, 0, v, SMALL_STEP), (Real("0.5"),)))
 
 
 def _half_turns(chart: Vectors, screws: Sequence[Screw], branch: int) -> Iterator[Drawn]:
@@ -175,18 +174,18 @@ def _half_turns(chart: Vectors, screws: Sequence[Screw], branch: int) -> Iterato
 def _near_ties(chart: Vectors, screw: Screw) -> Iterator[Drawn]:
     """Yield vectors just before and just beyond the angles (2k − 1)π between branches, at a distance of `NEAR_TIE`."""
     for halves, step in itertools.product(chart.odd_half_turns(), (-NEAR_TIE, NEAR_TIE)):
-        angle = Dual(halves * mpmath.pi + step, screw.angle.du)
+        angle = Dual(halves * Real.pi() + step, screw.angle.du)
         yield Drawn(Kind.VECTOR, (flat(screw.axis * chart.size(angle)),))
 
 
 def _identity(chart: Vectors) -> Iterator[Drawn]:
     """Yield the identity, which has no axis: the axis and v on other branches are NaN."""
-    zero, one = 6 * (mpmath.mpf(0),), Tensor.identity() * mpmath.mpf(1)
+    zero, one = 6 * (Real(0),), Tensor.identity() * Real(1)
     yield Drawn(Kind.VECTOR, (zero,))
     for branch in chart.tried:
         yield Drawn(Kind.TURN, (zero,), branch, regular=True)
         for sign in (1, -1):
-            yield Drawn(Kind.QUATERNION, ((mpmath.mpf(sign), *zero, mpmath.mpf(0)),), branch)
+            yield Drawn(Kind.QUATERNION, ((Real(sign), *zero, Real(0)),), branch)
         yield from of_tensor(Tensor.dual(one, 0 * one), branch)
 
 
@@ -197,13 +196,13 @@ def _far_steps(chart: Vectors, screw: Screw, still: Screw) -> Iterator[Drawn]:
     for delta in large:
         yield Drawn(Kind.STEP, (v, delta), regular=True)
     yield Drawn(Kind.STEP, (resting, small))
-    yield Drawn(Kind.WAY, (resting, (0, 0, 0, *resting[:2:-1]), (mpmath.mpf(0.25),)))
-    yield Drawn(Kind.WAY, (v, MAPS["retract"](chart, 0, v, small), (mpmath.mpf(4),)))
+    yield Drawn(Kind.WAY, (resting, (0, 0, 0, *resting[:2:-1]), (Real(0.25),)))
+    yield Drawn(Kind.WAY, (v, MAPS["retract"](chart, 0, v, small), (Real(4),)))
 
 
 def _steps_to_pole(chart: Vectors, screw: Screw) -> Iterator[Drawn]:
     """Yield steps that end just before and just beyond the edge, in charts whose φ has a pole there."""
-    if not mpmath.isinf(chart.edge) and not chart.is_folded:
+    if chart.edge.is_finite() and not chart.is_folded:
         v = chart.at(Screw(Dual(chart.edge - POLE_DISTANCE, screw.angle.du), screw.axis))
         yield from (Drawn(Kind.STEP, (flat(start), SMALL_STEP)) for start in (v, -v))
 
@@ -213,9 +212,9 @@ def _undecided(chart: Vectors, table: Table) -> Iterator[Drawn]:
 
     Of rotations, v alone is such a case.
     """
-    half = mpmath.mpf(1) / 2
+    half = Real(1) / 2
     sides = (half, -half) if table is POSES else (half,)
-    for scale, direction in itertools.product((mpmath.mpf(1), half), LATTICE):
+    for scale, direction in itertools.product((Real(1), half), LATTICE):
         re = scale * Vector(*direction)
         halves = _half_turns_of(chart, re)
         for along in sides if halves else ():
@@ -230,6 +229,6 @@ def _undecided(chart: Vectors, table: Table) -> Iterator[Drawn]:
 
 def _half_turns_of(chart: Vectors, re: Vector) -> int:
     """Return the angle of a vector in half turns if it is a whole number inside the edge, else 0."""
-    angle = chart.angle(re.magnitude()) if chart.reaches(re.magnitude()) else mpmath.inf
+    angle = chart.angle(re.magnitude()) if chart.reaches(re.magnitude()) else INFINITE
     inside = angle < (1 - EDGE_MARGIN) * chart.edge
-    return int(mpmath.nint(angle / mpmath.pi)) if inside and is_whole(angle / mpmath.pi) else 0
+    return nearest(angle / Real.pi()) if inside and is_whole(angle / Real.pi()) else 0

@@ -11,10 +11,10 @@ import random
 from collections.abc import Iterator
 from typing import Any
 
-import mpmath
-
 from ...algebra import Dual, Vector
+from ...algebra.functions import atan2
 from ...algebra.pose import Screw
+from .reals import Real
 
 ANGLES = (0.5, 1.9, 2.6, 3.0)  # rotation angles by row: only the first makes the scalar part the largest
 SIGNS = (1, 1, -1, 1)  # signs of the dominant component, by row
@@ -28,29 +28,29 @@ def covering(draw: random.Random, small: float) -> Iterator[Screw]:
         u = [_number(draw, -0.5, 0.5) for _ in range(3)]
         if row:
             u[row - 1] = SIGNS[row] * _number(draw, 1, 2)
-        yield _screw(draw, mpmath.mpf(ANGLES[row]), Vector(*u))
+        yield _screw(draw, Real(ANGLES[row]), Vector(*u))
     yield from steep(draw, small)
 
 
 def steep(draw: random.Random, small: float, ratio: float = 3) -> Iterator[Screw]:
     """Yield a screw for each row: quaternion ±1 in that component, ``small · ratioⁱ`` in others, up to scale."""
     for row in range(4):
-        e = [mpmath.mpf(small) * mpmath.mpf(ratio) ** i for i in range(4)]
-        e[row] = mpmath.mpf(SIGNS[row])
+        e = [Real(small) * Real(ratio) ** i for i in range(4)]
+        e[row] = Real(SIGNS[row])
         vector = Vector(*e[1:])
         # the first angle is tiny: a translation along its axis would swamp the digits of the axis
-        yield _screw(draw, 2 * mpmath.atan2(vector.magnitude(), e[0]), vector, pitch=2 if row else 0)
+        yield _screw(draw, 2 * atan2(vector.magnitude(), e[0]), vector, pitch=2 if row else 0)
 
 
 def translation(draw: random.Random) -> Screw:
     """Return a screw without rotation, whose axis passes through the origin."""
     u = Vector(*(_number(draw, -1, 1) for _ in range(3)))
-    return Screw(Dual(mpmath.mpf(0), _number(draw, 1, 2)), Vector.dual(u / u.magnitude(), 0 * u))
+    return Screw(Dual(Real(0), _number(draw, 1, 2)), Vector.dual(u / u.magnitude(), 0 * u))
 
 
 def half_turns(draw: random.Random) -> Iterator[Screw]:
     for axis in HALF_TURN_AXES:
-        yield _screw(draw, +mpmath.pi, Vector(*map(mpmath.mpf, axis)))
+        yield _screw(draw, +Real.pi(), Vector(*map(Real, axis)))
 
 
 def _screw(draw: random.Random, angle: Any, direction: Vector, pitch: float = 2) -> Screw:
@@ -60,4 +60,4 @@ def _screw(draw: random.Random, angle: Any, direction: Vector, pitch: float = 2)
 
 
 def _number(draw: random.Random, low: float, high: float) -> Any:
-    return mpmath.mpf(draw.uniform(low, high))
+    return Real(draw.uniform(low, high))

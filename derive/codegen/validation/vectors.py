@@ -15,10 +15,12 @@ import sympy
 
 from ...algebra import Dual, Quaternion, Tensor, Vector, dual_part, real_part
 from ...algebra.functions import atan2
-from ...algebra.pose import Screw, natural_invariants, orientation, polar, quaternion_from_screw
+from ...algebra.pose import Screw, is_zero, natural_invariants, orientation, polar, quaternion_from_screw
 from ...maps.angle import angle_of
 from ...maps.chart import Chart
 from ...maps.elementary import alpha, evaluate
+from . import reals
+from .reals import INFINITE, NAN, Real, nearest
 
 Flat = tuple[Any, ...]  # components of an array, in C order
 DIGITS_CANCELLED, POWER_CANCELLED = 50, 10
@@ -30,7 +32,7 @@ SOME_BRANCHES = (0, 1, -1, 2)
 EDGE_UNITS = 2**20  # relative distance from the edge, in machine epsilons, at which φ′ is compared with φ′(0)
 REACH = 0.9  # share of a given angle that seeded vectors may reach
 
-REST = Screw(Dual(mpmath.mpf(0), mpmath.mpf(0)), Vector.dual(*(3 * (mpmath.nan,),) * 2))
+REST = Screw(Dual(Real(0), Real(0)), Vector.dual(*(3 * (NAN,),) * 2))
 """Screw of the identity, which has no axis."""
 
 IDENTITY: Flat = (*Tensor.identity(), *(0 * Tensor.identity()))
@@ -38,10 +40,10 @@ IDENTITY: Flat = (*Tensor.identity(), *(0 * Tensor.identity()))
 
 @dataclass(frozen=True)
 class Vectors:
-    """Vectors v_k = φ(α + 2πk) u of a chart in the working precision of mpmath; the edge has ``precision`` bits."""
+    """Vectors v_k = φ(α + 2πk) u of a chart in the working precision; the edge has ``precision`` bits."""
 
     chart: Chart
-    precision: int = field(default_factory=lambda: mpmath.mp.prec)
+    precision: int = field(default_factory=reals.precision)
 
     @cached_property
     def edge(self) -> Any:
@@ -51,10 +53,10 @@ class Vectors:
     @cached_property
     def is_folded(self) -> bool:
         """True if v ends at the edge with φ′ = 0; false if v is infinite there or no edge exists."""
-        if mpmath.isinf(self.edge):
+        if not self.edge.is_finite():
             return False
-        with mpmath.workprec(self.precision):
-            return bool(abs(self.slope(self.edge * (1 - EDGE_UNITS * mpmath.eps))) < self.slope(0))
+        with reals.bits(self.precision):
+            return bool(abs(self.slope(self.edge * (1 - EDGE_UNITS * reals.rounding()))) < self.slope(0))
 
     @cached_property
     def first_pole(self) -> Any:
@@ -62,19 +64,19 @@ class Vectors:
         return self._number(self.chart.singular_angles[0])
 
     def _number(self, angle: sympy.Expr) -> Any:
-        with mpmath.workprec(self.precision):
-            return mpmath.inf if angle.is_infinite else mpmath.mpf(angle.evalf(mpmath.mp.dps + 5))
+        with reals.bits(self.precision):
+            return INFINITE if angle.is_infinite else Real(angle.evalf(mpmath.mp.dps + 5))
 
     @cached_property
     def _known(self) -> dict[Any, Any]:
         """Cache of computed values: points often share a length or a vector."""
         return {}
 
-    def _once(self, compute: Callable[..., Any], *key: Any) -> Any:
-        """Return ``compute(*key)``, computed once in each precision."""
-        place = mpmath.mp.prec, compute.__name__, *key
+    def once(self, compute: Callable[..., Any], *given: Any) -> Any:
+        """Return ``compute(*given)``, computed once in each precision."""
+        place = reals.precision(), compute.__name__, reals.key(given)
         if place not in self._known:
-            self._known[place] = compute(*key)
+            self._known[place] = compute(*given)
         return self._known[place]
 
     def size(self, angle: Any) -> Any:
@@ -87,14 +89,14 @@ class Vectors:
 
     def angle(self, size: Any) -> Any:
         """Return the angle α = φ⁻¹(size) ≥ 0 of a real or dual length; raise ArithmeticError beyond the edge."""
-        root = self._once(self._root, real_part(size))
+        root = self.once(self._root, real_part(size))
         return Dual(root, size.du / self.slope(root)) if isinstance(size, Dual) else root
 
     def _root(self, size: Any) -> Any:
-        root = angle_of(self.chart.phi, self.chart.edge, size)
-        if abs(self.size(root) - size) <= mpmath.sqrt(mpmath.eps) * size:
+        root = Real(angle_of(self.chart.phi, self.chart.edge, mpmath.mpf(size)))
+        if abs(self.size(root) - size) <= reals.rounding(1 / 2) * size:
             return root
-        raise ArithmeticError(f"no angle below {self.chart.edge} has |v| = {mpmath.nstr(size)} in {self.chart.name}")
+        raise ArithmeticError(f"no angle below {self.chart.edge} has |v| = {mpmath.nstr(mpmath.mpf(size))} in {self.chart.name}")
 
     def reaches(self, size: Any) -> bool:
         try:
@@ -105,17 +107,17 @@ class Vectors:
 
     def component(self, most: Any, angle: Any) -> float:
         """Return the largest component of seeded vectors: ``most``, or less to keep their angles below ``angle``."""
-        return float(most if mpmath.isinf(angle) else min(most, self.size(REACH * angle) / mpmath.sqrt(3)))
+        return float(min(most, self.size(REACH * angle) / Real(3).sqrt()) if angle.is_finite() else most)
 
     def derivatives(self, expression: sympy.Expr, x: sympy.Symbol, square: Any, order: int) -> Sequence[Any]:
         """Return an even function of α and its derivatives by x."""
-        return tuple(+value for value in self._once(self._derivatives, expression, square, order))
+        return tuple(+value for value in self.once(self._derivatives, expression, square, order))
 
     def _derivatives(self, expression: sympy.Expr, square: Any, order: int) -> list[Any]:
-        angle, least = self.angle(mpmath.sqrt(square)), mpmath.sqrt(mpmath.eps)
+        angle, least = self.angle(square.sqrt()), reals.rounding(1 / 2)
         at: Any = max(angle, least)  # changes an even function by least² = eps only
         lost = DIGITS_CANCELLED - POWER_CANCELLED * min(0, int(mpmath.log10(at)))
-        with mpmath.workdps(mpmath.mp.dps + lost * max(order, 1)):
+        with reals.digits(mpmath.mp.dps + lost * max(order, 1)):
             for _ in range(order):  # a further dual part for each derivative by x, with dα/dx = 1/(2 φ φ′)
                 at = Dual(at, 1 / (2 * self.size(at) * self.slope(at)))
             value, found = evaluate(expression, alpha, at), list[Any]()
@@ -129,18 +131,18 @@ class Vectors:
     def at(self, screw: Screw, branch: int = 0) -> Vector:
         """Return ``φ(α + 2πk) u``; NaN beyond the edge."""
         angle = self._turned(screw, branch)
-        return along(screw.axis, self.size(angle) if abs(angle.re) <= self.edge else Dual(mpmath.nan, mpmath.nan))
+        return along(screw.axis, self.size(angle) if abs(angle.re) <= self.edge else Dual(NAN, NAN))
 
     def finite(self, screw: Screw, branch: int, least: float) -> bool:
         """Tell whether v exists and its margin to the edge, cos(π/2 · Re α/edge), exceeds ``least``."""
         share = self._turned(screw, branch).re / self.edge
-        return bool(abs(share) < 1 and mpmath.cospi(share / 2) > least)
+        return bool(abs(share) < 1 and (share / 2).cos_pi() > least)
 
     def _turned(self, screw: Screw, branch: int) -> Dual:
         """Return α + 2πk, with k reduced modulo the number of branches to bring the angle nearest to 0."""
         count = self.chart.branches
-        nearest = mpmath.nint((screw.angle.re / (2 * mpmath.pi) + branch) / count) if count else 0
-        angle: Dual = screw.angle + 2 * mpmath.pi * (branch - count * int(nearest))
+        turns = nearest((screw.angle.re / (2 * Real.pi()) + branch) / count) if count else 0
+        angle: Dual = screw.angle + 2 * Real.pi() * (branch - count * turns)
         return angle
 
     @property
@@ -169,16 +171,16 @@ class Vectors:
         """
         length, u = axial(v)
         angle = self.angle(length)
-        halves = angle.re / mpmath.pi
+        halves = angle.re / Real.pi()
         exact = is_whole(halves)
-        turns = int(mpmath.nint((mpmath.nint(halves) if exact else halves) / 2))  # ties to even keep sin(α/2)
-        rest = (mpmath.nint(halves) - 2 * turns) * mpmath.pi if exact else angle.re - 2 * turns * mpmath.pi
+        turns = nearest((nearest(halves) if exact else halves) / Real(2))  # ties to even keep sin(α/2)
+        rest = (nearest(halves) - 2 * turns) * Real.pi() if exact else angle.re - 2 * turns * Real.pi()
         sign = orientation(rest, angle.du)
         return Screw(Dual(rest, angle.du) * sign, u * sign), turns * sign
 
     def quaternion(self, v: Vector) -> Quaternion:
         """Return ``cos(α/2) + sin(α/2) u``."""
-        found: Quaternion = self._once(self._quaternion, *flat(v))
+        found: Quaternion = self.once(self._quaternion, *flat(v))
         return found
 
     def _quaternion(self, *components: Any) -> Quaternion:
@@ -200,7 +202,7 @@ _slope = lru_cache(maxsize=256)(lambda phi: phi.diff(alpha))
 
 def vectors_of(chart: Chart) -> Vectors:
     """Return the `Vectors` of a chart in the working precision, with the values computed so far."""
-    return _vectors(chart, mpmath.mp.prec)
+    return _vectors(chart, reals.precision())
 
 
 _vectors = lru_cache(maxsize=4)(Vectors)
@@ -215,20 +217,20 @@ def screw_of_quaternion(q: Quaternion) -> Screw:
 
 def axial(v: Vector) -> tuple[Dual, Vector]:
     """Return magnitude and direction of a dual vector; the direction of 0 is NaN."""
-    return polar(v) if any(flat(v)) else (REST.angle, REST.axis)
+    return (REST.angle, REST.axis) if all(map(is_zero, flat(v))) else polar(v)
 
 
 def along(axis: Vector, size: Dual) -> Vector:
     """Return the axis times a size; without an axis, NaN, or 0 for size 0."""
-    if mpmath.isnan(axis.c1.re):
-        return axis if size.re or size.du else Vector.dual(*(3 * (size.re,),) * 2)
+    if axis.c1.re.is_nan():
+        return Vector.dual(*(3 * (size.re,),) * 2) if size == 0 else axis
     v: Vector = axis * size
     return v
 
 
 def is_whole(number: Any) -> bool:
     """Tell whether a number is an integer to four fifths of the working digits."""
-    return bool(abs(number - mpmath.nint(number)) < mpmath.eps ** mpmath.mpf("0.8"))
+    return bool(abs(number - nearest(number)) < reals.rounding(0.8))
 
 
 def dual(components: Sequence[Any]) -> Vector:
