@@ -89,7 +89,7 @@ class Structure(Typeset):
         return matrix(self, self.columns)
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(slots=True, eq=False)  # frozen ones take three times longer to make
 class Dual(Typeset):
     """Dual number ``re + ε du``.
 

@@ -122,7 +122,8 @@ def program_of(listing: Listing) -> Program:
     of = listing if bits(listing.dtype) is None else listing.on_bits()
     fixed, first = [*of.inputs, *of.constants], ordered(of.operations, of.outputs)
     both = [Rows(of.operations, of.truths, fixed, of.outputs, order) for order in (first, sorted(first))]
-    rows, runs = min(((rows, tuple(rows.runs())) for rows in both), key=lambda made: made[0].scratch.size)
+    rows = min(both, key=lambda rows: rows.scratch.size)
+    runs = tuple(rows.runs())
     numbers = tuple(np.array(value, of.dtype) for value in of.constants.values())
     return Program(of.dtype, runs, numbers, rows.scratch.size, rows.masks.size, tuple(rows.views), listing)
 
@@ -179,14 +180,14 @@ class Rows:
         made = {index: step for step, index in enumerate(order)}
         self.last = {i: step for step, index in enumerate(order) for i in self._operation(index)[1]}
         self.own = {index: row for row, index in reversed(list(enumerate(outputs))) if index in made}
+        self.placed = self._placed()
 
     def runs(self) -> Iterator[Run]:
         """Yield long runs of calls as columns of rows, and all other calls one by one."""
-        placed = self._placed()
         start = {"fixed": 0, "output": len(self.fixed)}
         start["scratch"] = start["output"] + len(self.outputs)
         start["mask"] = start["scratch"] + self.scratch.size
-        calls = [(f, [self._number(f, kind, start[kind] + row, start) for kind, row in places]) for f, places in placed]
+        calls = [(f, [self._number(f, kind, start[kind] + row, start) for kind, row in places]) for f, places in self.placed]
         for _, group in groupby(calls, key=lambda made: len(made[1])):
             run = list(group)
             if len(run) < LONG_RUN:

@@ -30,6 +30,7 @@ SOME_BRANCHES = (0, 1, -1, 2)
 """Branches of cases in a chart with infinitely many; other charts have cases on the first `BRANCHES_MAX` branches."""
 
 EDGE_UNITS = 2**20  # relative distance from the edge, in machine epsilons, at which φ′ is compared with φ′(0)
+NEWTON_STEPS = 2  # steps from half of the digits of an angle to all of them, and one to spare
 REACH = 0.9  # share of a given angle that seeded vectors may reach
 
 REST = Screw(Dual(Real(0), Real(0)), Vector.dual(*(3 * (NAN,),) * 2))
@@ -93,7 +94,10 @@ class Vectors:
         return Dual(root, size.du / self.slope(root)) if isinstance(size, Dual) else root
 
     def _root(self, size: Any) -> Any:
-        root = Real(angle_of(self.chart.phi, self.chart.edge, mpmath.mpf(size)))
+        with reals.bits(reals.precision() // 2):
+            root = Real(angle_of(self.chart.phi, self.chart.edge, mpmath.mpf(size)))
+        for _ in range(NEWTON_STEPS if size != 0 else 0):
+            root = (root - (self.size(root) - size) / self.slope(root)).mid()
         if abs(self.size(root) - size) <= reals.rounding(1 / 2) * size:
             return root
         raise ArithmeticError(f"no angle below {self.chart.edge} has |v| = {mpmath.nstr(mpmath.mpf(size))} in {self.chart.name}")
