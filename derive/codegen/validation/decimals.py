@@ -9,9 +9,9 @@ from functools import lru_cache, partial
 from typing import Any
 
 import mpmath
-from flint import arb
 
 from ...maps.chart import Chart
+from .reals import Real
 
 EXACT_DIGITS = 50
 SCALARS_ERROR = mpmath.mpf(10) ** -40  # error of scalars of 50 digits, of which cancellation takes ten at most
@@ -107,12 +107,16 @@ def _of(value: Any) -> decimal.Decimal:
         return _integer(value)
     if isinstance(value, Fraction):
         return NUMBERS.divide(decimal.Decimal(value.numerator), decimal.Decimal(value.denominator))
-    if not isinstance(value, mpmath.mpf | arb):
+    if isinstance(value, Real):
+        mantissa, exponent = map(int, value.mid().man_exp() if value.is_finite() else (0, 0))
+    elif isinstance(value, mpmath.mpf):
+        sign, mantissa, exponent, _ = value._mpf_
+        mantissa = int(-mantissa if sign else mantissa)  # an mpz if gmpy2 is installed
+    else:
         raise TypeError(f"no number of {EXACT_DIGITS} digits: {type(value).__name__} {value!r}")
-    sign, mantissa, exponent, _ = value._mpf_
     if not mantissa:
         return decimal.Decimal(float(value))  # 0, infinite or NaN
-    digits = decimal.Decimal(int(-mantissa if sign else mantissa))  # the mantissa is an mpz if gmpy2 is installed
+    digits = decimal.Decimal(mantissa)
     scale = _power_of_two(abs(exponent))
     return NUMBERS.multiply(digits, scale) if exponent > 0 else NUMBERS.divide(digits, scale)
 

@@ -6,7 +6,7 @@ A comparison is true where it is certain; a number that was rounded equals none.
 from __future__ import annotations
 
 from collections.abc import Hashable, Iterable, Iterator
-from contextlib import contextmanager
+from contextlib import AbstractContextManager, contextmanager
 from fractions import Fraction
 from typing import Any
 
@@ -20,14 +20,16 @@ NAN, INFINITE = Real.nan(), Real.pos_inf()
 @contextmanager
 def bits(count: int) -> Iterator[None]:
     """Set the working precision, of mpmath too, which inverts φ."""
-    with mpmath.workprec(count), ctx.workprec(count):
+    before = ctx.prec, mpmath.mp.prec
+    ctx.prec = mpmath.mp.prec = count
+    try:
         yield
+    finally:
+        ctx.prec, mpmath.mp.prec = before
 
 
-@contextmanager
-def digits(count: int) -> Iterator[None]:
-    with mpmath.workdps(count), bits(mpmath.mp.prec):
-        yield
+def digits(count: int) -> AbstractContextManager[None]:
+    return bits(mpmath.libmp.dps_to_prec(count))
 
 
 def precision() -> int:
