@@ -50,9 +50,11 @@ def folder() -> Path | None:
 @cache
 def toolkit() -> str:
     """Return a hash of the sources of the toolkit, with the versions of Python and of libraries that decide."""
-    sources = [(path.name, path.read_bytes()) for path in sorted(Path(__file__).parents[1].rglob("*.py"))]
     versions = (sys.version, __version__, *(library.__version__ for library in (flint, mpmath, sympy)))
-    return sha256(repr([versions, sources]).encode()).hexdigest()
+    found = sha256(repr(versions).encode())
+    for path in sorted(Path(__file__).parents[1].rglob("*.py")):
+        found.update(sha256(path.name.encode() + path.read_bytes()).digest())
+    return found.hexdigest()
 
 
 class Store:

@@ -11,12 +11,12 @@ import sys
 from collections.abc import Mapping
 from functools import cache
 from pathlib import Path
-from typing import Any
-
-import jinja2
-from jinja2 import meta, nodes
+from typing import TYPE_CHECKING, Any
 
 from . import files
+
+if TYPE_CHECKING:
+    import jinja2
 
 
 def folder() -> Path:
@@ -27,6 +27,8 @@ def folder() -> Path:
 
 @cache
 def environment() -> jinja2.Environment:
+    import jinja2  # a claim is decided without
+
     return jinja2.Environment(
         loader=jinja2.FileSystemLoader(folder(), encoding="utf-8"),
         undefined=jinja2.StrictUndefined,
@@ -69,6 +71,8 @@ def render(name: str, /, **data: Any) -> str:
 @cache
 def holes(name: str) -> frozenset[str]:
     """Return the names that a template and its referenced templates use, without macros that the template defines."""
+    from jinja2 import meta, nodes
+
     tree = environment().parse((folder() / name).read_text(encoding="utf-8"), name)
     names = set(meta.find_undeclared_variables(tree))
     defined = {node.name for node in tree.body if isinstance(node, nodes.Macro)}
