@@ -9,6 +9,7 @@ import mpmath
 import pytest
 
 from derive.codegen.targets.c import GATE
+from derive.codegen.validation import reals
 from derive.codegen.validation.decimals import EXACT_DIGITS
 from derive.codegen.validation.float_cases import FloatCase, cases, composed
 from derive.maps import Cayley, family
@@ -82,7 +83,7 @@ def results(
 
 
 def line(place: int, case: FloatCase) -> str:
-    numbers = [mpmath.nstr(number, EXACT_DIGITS + 10) for argument in case.arguments for number in argument]
+    numbers = [mpmath.nstr(mpmath.mpf(number), EXACT_DIGITS + 10) for argument in case.arguments for number in argument]
     return " ".join([str(place), str(case.branch or 0), *numbers])
 
 
@@ -102,7 +103,7 @@ def test_classes_of_doubles_give_the_results_of_doubles(scalar, through, headers
 def wrong(asked: Sequence[FloatCase], found: Sequence[Sequence[str]], bits: int) -> Iterator[str]:
     """Yield the functions with an error beyond the gate, in units of the scale; series end with a stated remainder."""
     for case, texts in zip(asked, found, strict=True):
-        with mpmath.workdps(EXACT_DIGITS + 25):
+        with reals.digits(EXACT_DIGITS + 25):
             rest = case.row.remainder + case.chart.chart.remainder
             off = [mpmath.mpf(text) - value for text, value in zip(texts, case.compute(), strict=True)]
             parts = [(place, part) for place, array in enumerate(case.row.results) for part in array.part_of]

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-import mpmath
 import pytest
 
 from derive.algebra import Vector
 from derive.codegen.build import build
 from derive.codegen.signatures import POSES
 from derive.codegen.targets import TARGETS
+from derive.codegen.validation import reals
+from derive.codegen.validation.reals import Real
 from derive.codegen.validation.run import chosen
 from derive.codegen.validation.vectors import Vectors, flat, vectors_of
 from derive.maps import Cayley
@@ -49,25 +50,25 @@ def test_unknown_chart_generates(name):
 
 
 def test_length_without_angle_below_the_edge_is_an_error():
-    with mpmath.workdps(50), pytest.raises(ArithmeticError, match=r"no angle below 3\*pi has \|v\| = 1.5 in sine6"):
-        Vectors(Sine()).angle(mpmath.mpf("1.5"))
+    with reals.digits(50), pytest.raises(ArithmeticError, match=r"no angle below 3\*pi has \|v\| = 1.5 in sine6"):
+        Vectors(Sine()).angle(Real("1.5"))
 
 
 def test_edges_have_full_precision_at_any_working_precision():
-    with mpmath.workdps(50):
+    with reals.digits(50):
         chart = vectors_of(Cayley(3))
     found = chart.edge, chart.first_pole
-    with mpmath.workdps(50):
+    with reals.digits(50):
         assert chart is vectors_of(Cayley(3))
-        assert all(abs(angle - k * mpmath.pi) < mpmath.mpf(10) ** -48 for angle, k in zip(found, (3, 2), strict=True))
+        assert all(abs(angle - k * Real.pi()) < Real(10) ** -48 for angle, k in zip(found, (3, 2), strict=True))
 
 
 def test_long_vector_below_half_a_turn_is_on_branch_0():
     """Check that α is not mistaken for π: 1 − α/π is about 1e-155, far from 0 at 670 digits."""
-    with mpmath.workdps(670):
-        v = Vector.dual((mpmath.mpf(10) ** 155, 0, 0), (1, 2, 3))
+    with reals.digits(670):
+        v = Vector.dual((Real(10) ** 155, 0, 0), (1, 2, 3))
         chart = Vectors(Cayley(1))
         screw, branch = chart.screw(v)
         assert branch == 0
-        assert screw.angle.re < mpmath.pi
-        assert all(abs(a - b) < mpmath.mpf(10) ** -300 for a, b in zip(flat(chart.at(screw)), flat(v), strict=True))
+        assert screw.angle.re < Real.pi()
+        assert all(abs(a - b) < Real(10) ** -300 for a, b in zip(flat(chart.at(screw)), flat(v), strict=True))

@@ -8,12 +8,11 @@ from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
 from typing import Any
 
-import mpmath
 import pytest
 
 from derive.codegen.programs.program import Call, Program
 from derive.codegen.signatures import POSES, ChartPrograms, geometry, lower_chart
-from derive.codegen.validation import decimals, samples
+from derive.codegen.validation import decimals, reals, samples
 from derive.codegen.validation.calls import Case, grouped
 from derive.codegen.validation.decimals import Decimal
 from derive.maps import Cayley
@@ -43,7 +42,7 @@ class Watched:
     def call(self, case: Case) -> None:
         row, branch = case.row, [] if case.branch is None else [case.branch % self.chart.branches]
         turn = self.chart.turn(*branch) if any(branch) else ()
-        given = [Decimal(mpmath.mpf(c)) for argument in case.arguments for c in argument]
+        given = [Decimal(c) for argument in case.arguments for c in argument]
         if "table" not in dict(self.programs[row.kernel].inputs):
             found = self.run(self.programs[row.kernel], given)
             if turn:
@@ -70,7 +69,7 @@ class Watched:
 def sides(n: int, some: slice = slice(None)) -> Sides:
     """Return the truth values of all comparisons; ``some`` selects cases of each function and branch."""
     watched = Watched(Cayley(n))
-    with mpmath.workdps(decimals.EXACT_DIGITS):
+    with reals.digits(decimals.EXACT_DIGITS):
         for _, cases in grouped(samples.at_numbers(watched.chart, POSES)):
             for case in cases[some]:
                 watched.call(case)

@@ -21,10 +21,11 @@ from derive.codegen.package import _multiple_of_pi
 from derive.codegen.programs.trace import Trace
 from derive.codegen.signatures import POSES
 from derive.codegen.targets import TARGETS
-from derive.codegen.validation import validate
+from derive.codegen.validation import reals, validate
 from derive.codegen.validation.c_interpreter import load
 from derive.codegen.validation.float_cases import cases
 from derive.codegen.validation.loading import loaded, module_of
+from derive.codegen.validation.reals import Real
 from derive.codegen.validation.vectors import Vectors
 from derive.maps import PhiError, family, parameterization
 from derive.maps.elementary import alpha
@@ -41,10 +42,10 @@ def test_beyond_a_fold_there_is_no_vector():
     """Check a fold just beyond π: branch −1 has vectors only for angles near π, so the replay leaves it out."""
     chart = parameterization("sin(alpha/2) + alpha/50", "folded_early")
     at, axis = Vectors(chart), Vector.dual((1, 0, 0), (0, 0, 0))
-    with mpmath.workdps(50):
-        found = [next(iter(at.at(Screw(Dual(mpmath.mpf(angle), mpmath.mpf(0)), axis)).re)) for angle in ("3.2", "3.23")]
+    with reals.digits(50):
+        found = [next(iter(at.at(Screw(Dual(Real(angle), Real(0)), axis)).re)) for angle in ("3.2", "3.23")]
     assert float(found[0]) == pytest.approx(np.sin(1.6) + 0.064, rel=1e-15)
-    assert mpmath.isnan(found[1])
+    assert found[1].is_nan()
     replayed = {case.branch for case in cases(chart) if case.function in ("from_pose", "from_quaternion")}
     assert 0 in replayed
     assert -1 not in replayed
