@@ -187,7 +187,8 @@ class Rows:
         start = {"fixed": 0, "output": len(self.fixed)}
         start["scratch"] = start["output"] + len(self.outputs)
         start["mask"] = start["scratch"] + self.scratch.size
-        calls = [(f, [self._number(f, kind, start[kind] + row, start) for kind, row in places]) for f, places in self.placed]
+        placed = self.placed
+        calls = [(f, [self._number(f, kind, start[kind] + row, start) for kind, row in places]) for f, places in placed]
         for _, group in groupby(calls, key=lambda made: len(made[1])):
             run = list(group)
             if len(run) < LONG_RUN:

@@ -19,10 +19,10 @@ from ...algebra.pose import polar
 from ...maps.chart import Chart
 from ..rows import Table
 from ..signatures import POSES, geometry
+from . import reals
 from .calls import Case, Drawn, Kind, algebraic, at_screw, of_composed, require, restricted, selecting
 from .decimals import EXACT_DIGITS
 from .inverse_maps import value
-from . import reals
 from .reals import Real, nearest
 from .screws import covering
 from .vectors import Flat, Vectors, flat, vectors_of

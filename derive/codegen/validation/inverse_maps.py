@@ -13,8 +13,8 @@ from ...algebra.first_principles import quaternion_exponential
 from ...algebra.functions import atan2
 from ...algebra.pose import Pose, Screw, is_zero, orientation, polar, tensor_from_pose
 from ..rows import Function
-from .expected_values import ALGEBRAIC, Formulas, evaluated, matrix6
 from . import reals
+from .expected_values import ALGEBRAIC, Formulas, evaluated, matrix6
 from .reals import Real, nearest
 from .vectors import Flat, Vectors, along, axial, dual, flat, screw_of_quaternion
 

@@ -11,7 +11,7 @@ from fractions import Fraction
 from typing import Any
 
 import mpmath
-from flint import arb as Real  # noqa: N812
+from flint import arb as Real
 from flint import ctx
 
 NAN, INFINITE = Real.nan(), Real.pos_inf()

@@ -100,7 +100,8 @@ class Vectors:
             root = (root - (self.size(root) - size) / self.slope(root)).mid()
         if abs(self.size(root) - size) <= reals.rounding(1 / 2) * size:
             return root
-        raise ArithmeticError(f"no angle below {self.chart.edge} has |v| = {mpmath.nstr(mpmath.mpf(size))} in {self.chart.name}")
+        found = mpmath.nstr(mpmath.mpf(size))
+        raise ArithmeticError(f"no angle below {self.chart.edge} has |v| = {found} in {self.chart.name}")
 
     def reaches(self, size: Any) -> bool:
         try:

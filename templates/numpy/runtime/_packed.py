@@ -1,14 +1,14 @@
 """Recorded programs for small batches, in which equal operations on adjacent rows are one call on a block of rows.
 
-In small batches a call of NumPy costs more than its arithmetic. Operations of one depth with equal functions are packed
-into a call, if their operands lie in order or can be copied together with fewer calls. Every result keeps its bits.
+In small batches a call of NumPy costs more than its arithmetic. Equal functions whose operands are made are packed into
+a call, if their operands lie in order or can be copied together with fewer calls. Every result keeps its bits.
 """
 
 from __future__ import annotations
 
 import itertools
-from collections import Counter
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections import Counter, defaultdict
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property, partial
 from typing import Any, TypeAlias
@@ -50,13 +50,34 @@ class Packing:
         self.uses = Counter(i for index in needed for i in self._operands(index)) + Counter(of.outputs)
         self.given = self._block("numbers", list(of.inputs))
         self._block("numbers", list(of.constants))
-        depth = dict.fromkeys((*of.inputs, *of.constants), 0)
-        groups: dict[tuple[int, Function], list[int]] = {}
-        for index in needed:
-            depth[index] = 1 + max(depth[i] for i in self._operands(index))
-            groups.setdefault((depth[index], self._function(index)), []).append(index)
-        for (_, function), group in sorted(groups.items(), key=lambda item: item[0][0]):
+        for function, group in self._groups(needed):
             self._pack(function, group)
+
+    def _groups(self, needed: Sequence[int]) -> Iterator[tuple[Function, list[int]]]:
+        """Yield operations after their operands: at once those of a function whose operands are made.
+
+        Of all functions it is the one whose operations are the farthest from the outputs, on average.
+        """
+        readers, ready = defaultdict[int, list[int]](list), defaultdict[Function, list[int]](list)
+        for index in needed:
+            for operand in {*self._operands(index)}:
+                readers[operand].append(index)
+        missing, far = {index: len({*self._operands(index)}) for index in needed}, dict[int, int]()
+        for index in reversed(needed):
+            far[index] = 1 + max((far[reader] for reader in readers[index]), default=0)
+
+        def free(made: Iterable[int]) -> None:
+            for reader in (reader for index in made for reader in readers[index]):
+                missing[reader] -= 1
+                if not missing[reader]:
+                    ready[self._function(reader)].append(reader)
+
+        free((*self.listing.inputs, *self.listing.constants))
+        while ready:
+            function = max(ready, key=lambda of: sum(map(far.__getitem__, ready[of])) / len(ready[of]))
+            group = sorted(ready.pop(function))
+            yield function, group
+            free(group)
 
     def _function(self, index: int) -> Function:
         operation = self.listing.operations[index]
@@ -118,7 +139,7 @@ class Packing:
         yield sorted(group, key=lambda index: ends[index][::-1])
 
     def _cut(self, order: list[int]) -> tuple[int, list[list[int]]]:
-        """Return the fewest calls of an order, and its parts: pieces whose operands lie in order, or all after copies."""
+        """Return the calls of an order and its parts: pieces whose operands lie in order, or all of it after copies."""
         columns, pieces, start = [*zip(*map(self._operands, order))], list[list[int]](), 0
         whole = len(order)
         while start < len(order):
