@@ -17,11 +17,11 @@ from .dual import Coefficient, Dual, ZeroDivisorError, dual_part, real_part
 
 def namespace(*values: Coefficient) -> Any:
     """Return the library of the values: SymPy, mpmath or NumPy, else a type with its own ``sqrt``, else `math`."""
-    return _library(*(type(real_part(value)) for value in values))
+    return _library(tuple(type(real_part(value)) for value in values))
 
 
 @lru_cache(maxsize=64)
-def _library(*plain: type) -> Any:
+def _library(plain: tuple[type, ...]) -> Any:
     libraries = {kind.__module__.partition(".")[0] for kind in plain}
     for name in ("sympy", "mpmath", "numpy"):
         if name in libraries:

@@ -119,9 +119,10 @@ def restricted(cases: Iterable[Case], table: Table) -> Iterator[Case]:
     seen = set()
     for case in cases:
         row = table.sources.get(case.function)
-        if row and (call := (row.name, case.branch, row.restricted(case.arguments))) and reals.key(call) not in seen:
-            seen.add(reals.key(call))
-            yield Case(row, *call[1:], partial(lambda row, case: row.part(case.result), row, case))
+        given = row.restricted(case.arguments) if row else ()
+        if row and (key := (row.name, case.branch, reals.key(given))) not in seen:
+            seen.add(key)
+            yield Case(row, case.branch, given, partial(lambda row, case: row.part(case.result), row, case))
 
 
 def at_screw(

@@ -11,9 +11,9 @@ from fractions import Fraction
 from typing import Any
 
 import mpmath
-from flint import arb as Real
-from flint import ctx
+from flint import arb, ctx
 
+Real = arb
 NAN, INFINITE = Real.nan(), Real.pos_inf()
 
 
