@@ -41,7 +41,7 @@ TEXT = "alpha/(1 + alpha**2/40)"
 def test_beyond_a_fold_there_is_no_vector():
     """Check a fold just beyond π: branch −1 has vectors only for angles near π, so the replay leaves it out."""
     chart = parameterization("sin(alpha/2) + alpha/50", "folded_early")
-    at, axis = Vectors(chart), Vector.dual((1, 0, 0), (0, 0, 0))
+    at, axis = Vectors(chart), Vector.dual((Real(1), 0, 0), (0, 0, 0))
     with reals.digits(50):
         found = [next(iter(at.at(Screw(Dual(Real(angle), Real(0)), axis)).re)) for angle in ("3.2", "3.23")]
     assert float(found[0]) == pytest.approx(np.sin(1.6) + 0.064, rel=1e-15)
