@@ -30,7 +30,7 @@ Shape: TypeAlias = tuple[int, ...]
 PREPARED_MAX = 1024
 """Largest batch for a prepared program; in larger batches, copies of rows cost more than views."""
 
-PACKED_MAX = 256
+PACKED_MAX = 320
 """Largest batch whose operations are packed; in larger batches, copies of rows cost more than calls."""
 
 RUNS_BEFORE_PACKING = 32
