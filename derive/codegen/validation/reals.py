@@ -29,6 +29,7 @@ def bits(count: int) -> Iterator[None]:
 
 
 def digits(count: int) -> AbstractContextManager[None]:
+    """Set the working precision by its decimal digits."""
     return bits(mpmath.libmp.dps_to_prec(count))
 
 
