@@ -83,7 +83,8 @@ def results(
 
 
 def line(place: int, case: FloatCase) -> str:
-    numbers = [mpmath.nstr(mpmath.mpf(number), EXACT_DIGITS + 10) for argument in case.arguments for number in argument]
+    with reals.digits(EXACT_DIGITS + 10):
+        numbers = [mpmath.nstr(mpmath.mpf(number), mpmath.mp.dps) for given in case.arguments for number in given]
     return " ".join([str(place), str(case.branch or 0), *numbers])
 
 
