@@ -61,7 +61,8 @@ class FloatCase(Case):
             owners = [(place, part) for place, array in enumerate(row.results) for part in array.part_of]
 
             def norm(values: Flat, owner: tuple[int, int]) -> Any:
-                return Real(sum(c * c for c, other in zip(values, owners, strict=True) if other == owner)).sqrt()
+                squares = sum(c * c for c, other in zip(values, owners, strict=True) if other == owner)
+                return Real(squares).mid().sqrt()  # of a ball that touches 0, flint has no root
 
             sums = ([sum(norm(step, owner) for step in steps) for steps in ways] for owner in dict.fromkeys(owners))
             return tuple(float(max(found)) for found in sums)
