@@ -7,6 +7,7 @@ results.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
@@ -20,6 +21,7 @@ from .words import known
 
 STACK, STACK_SIZE, BACK = 0x7FFF_FFFF_0000, 1 << 20, 0x7FFF_F000_0000
 BLOCKS = 10_000  # largest number of blocks that a call executes
+GENERAL, LARGEST = re.compile(r"r[a-d]x|r[sd]i|rbp|r\d+|x\d+"), 1 << 47  # registers of integers; addresses are less
 RED_ZONE = 128  # bytes below the stack of x86-64 that no signal changes
 LIBRARY = {"tan": 1, "atan2": 2, "expm1": 1, "log1p": 1, "sqrt": 1, "fabs": 1}
 """Functions of math.h with the number of their arguments; of these, only sqrt and fabs are known."""
@@ -84,7 +86,19 @@ class Machine:
 
     def call(self, name: str, integers: Sequence[int], floats: Sequence[Tree], memory: Mapping[int, Tree],
              writable: Collection[int]) -> State:  # fmt: skip
-        """Call a function; return the state after it."""
+        """Call a function; return the state after it.
+
+        States that come to a block with other counters or addresses stay apart if joined ones cannot be executed.
+        """
+        self.apart = False
+        try:
+            return self._call(name, integers, floats, memory, writable)
+        except Declined:
+            self.apart = True
+            return self._call(name, integers, floats, memory, writable)
+
+    def _call(self, name: str, integers: Sequence[int], floats: Sequence[Tree], memory: Mapping[int, Tree],
+              writable: Collection[int]) -> State:  # fmt: skip
         own, words = self.convention, self.words
         self.writable, self.steps = writable, 0
         kept = {each: words.joined(*((self.trees.make("saved", each, place), words.unit)
@@ -129,13 +143,23 @@ class Machine:
     def _run(self, state: State, start: int) -> State:
         """Execute the blocks of a function in the order of their graph; return the state at its end."""
         order, end = self.program.order(start), (BLOCKS, EXIT)
-        waiting = {(0, start): state}  # by the number of jumps back and the next block
+        waiting: dict[tuple[Any, ...], State] = {(0, start): state}  # by the number of jumps back and the next block
         while list(waiting) != [end]:
-            turns, address = place = min(waiting, key=lambda each: (each[0], order[each[1]]))
+            turns, address, *_ = place = min(waiting, key=lambda each: (each[0], order[each[1]]))
             for state, after in self._after(waiting.pop(place), address):
-                place = end if after == EXIT else (turns + (order[after] <= order[address]), after)
+                place = (turns + (order[after] <= order[address]), after, *self._integers(state))
+                place = end if after == EXIT else place
                 waiting[place] = self._joined(state, waiting[place]) if place in waiting else state
         return waiting[end]
+
+    def _integers(self, state: State) -> list[tuple[int, int]]:
+        """Return counters and addresses with their places, if states with others stay apart."""
+        if not self.apart:
+            return []
+        words = [(place, self.get(state, name)) for name, (place, _) in self.places.items() if GENERAL.fullmatch(name)]
+        stack = sorted(each for each in state.memory if STACK - STACK_SIZE <= each < STACK and not each % 8)
+        words += [(each, state.memory.take(each, 8)) for each in stack]
+        return [(place, word) for place, word in words if isinstance(word, int) and word < LARGEST]
 
     def _after(self, state: State, address: int) -> list[tuple[State, int]]:
         """Execute a block; return the states after it with the blocks where they go on."""
