@@ -224,8 +224,6 @@ class Machine:
         for address in [each for each in state.memory if top - STACK_SIZE <= each < top]:
             del state.memory[address]
 
-    # --- sides of a jump ----------------------------------------------------------------------------------------------
-
     def _either(self, truth: Any, a: Any, b: Any) -> Any:
         if a is b or same(a, b):
             return a
